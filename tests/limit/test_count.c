@@ -1,50 +1,19 @@
 /* Work of small limits, counted to the flop. Every search of solvers/limit/ goes another way if a place of it is changed, which
- * the multiplier hardly ever tells: both ends are verified, and whatever finds them later or by luck finds the same. In double,
- * with nothing left out, the counts are the same on every machine. */
-#include "../test.h"
+ * the multiplier hardly ever tells: both ends are verified, and whatever finds them later or by luck finds the same. */
+#include "../scenes/tally.h"
 
 #if !defined SP_NO_IPM && !defined SP_SMALL
-#include "limit.h"
 
-#if defined SP_NO_PLAN || defined SP_REAL_MIXED || defined SP_REAL_QUAD || defined SP_REAL_FLOAT
-enum { COUNTED = 0 };
-#else
-enum { COUNTED = 1 };
-#endif
-
-/* live: acceleration of all blocks / g along x, y, z; glue: 1 cohesion, 2 tension, 4 crushing, times the mean pressure of the
- * weight; budget: share of the flops of the whole search, in hundredths, 0 all of it. */
+/* budget: share of the flops of the whole search, in hundredths; 0: all of it. */
 typedef struct count {
-    const char *name, *number; double value, mu, live[3];
-    int faces, inscribed, space, glue, budget;
-    int kind, factorisations, iterations, interior; int64_t flops;
+    tally_scene of;
+    int faces, inscribed, space, budget;
+    tally is;
 } count;
-
-static sp_scene pushed(const count *c)
-{
-    gen_scene g;
-    sp_scene s;
-    double mass = 0, area = 0;
-    test_arena.used = 0;
-    CHECK_INT(gen_open(&g, c->name), 1);
-    CHECK_INT(gen_set(&g, c->number, c->value), 1);
-    CHECK_INT(gen_set(&g, "mu", c->mu), 1);
-    CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
-    for (int k = 0; k < 3; k++) s.body[k] = R(9.80665 * c->live[k]);
-    for (int32_t b = 0; b < s.count.blocks; b++) mass += s.block[b].fixed == SP_FIXED ? 0 : (double)s.block[b].mass;
-    for (int32_t i = 0; i < s.count.joints; i++) area += (double)s.joint[i].area;
-    for (int32_t i = 0; i < s.count.joints; i++) {
-        sp_strength *k = &s.joint[i].strength;
-        if (c->glue & 1) k->cohesion = R(3 * 9.80665 * mass / area);
-        if (c->glue & 2) k->tension = R(0.5 * 9.80665 * mass / area);
-        if (c->glue & 4) k->crushing = R(20 * 9.80665 * mass / area);
-    }
-    return s;
-}
 
 static sp_limit_result counted(const count *c)
 {
-    const sp_scene s = pushed(c);
+    const sp_scene s = tally_make(&c->of);
     const sp_arena mark = test_arena;
     sp_settings set = sp_settings_default();
     sp_limit_result x;
@@ -64,14 +33,8 @@ static sp_limit_result counted(const count *c)
 static void compare(const count *rows, size_t n)
 {
     for (size_t k = 0; k < n; k++) {
-        const count *c = &rows[k];
-        const sp_limit_result x = counted(c);
-        if (!COUNTED) continue;
-        const int same = x.kind == (sp_limit_kind)c->kind && x.cost.factorisations == c->factorisations
-                      && x.cost.iterations == c->iterations && x.cost.interior == c->interior && x.cost.flops == c->flops;
-        if (!CHECK(same))
-            TEST_PRINT("    %s %s=%g, row %d: %d, %d, %d, %d, %lld\n", c->name, c->number, c->value, (int)k, (int)x.kind,
-                       (int)x.cost.factorisations, (int)x.cost.iterations, (int)x.cost.interior, (long long)x.cost.flops);
+        const sp_limit_result x = counted(&rows[k]);
+        tally_compare(&rows[k].of, k, &rows[k].is, (int)x.kind, &x.cost);
     }
 }
 
@@ -80,16 +43,16 @@ static void compare(const count *rows, size_t n)
 TEST(pushed_stones_take_the_work_written_here)
 {
     static const count rows[] = {
-        { "two-cubes", "offset", 0.3, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 0,  1, 9, 7, 7, 26838 },
-        { "two-cubes", "offset", 0.3, 0.1, { 1, 1, 0 }, 0, 0, 0, 0, 0,  1, 10, 8, 8, 85236 },
-        { "two-cubes", "offset", 0.6, 0.84, { -1, 0, 0.2 }, 0, 0, 0, 0, 0,  1, 12, 9, 7, 34703 },
-        { "two-cubes", "offset", 0.6, 0.84, { 0, 0, -1 }, 0, 0, 0, 0, 0,  2, 5, 4, 4, 21089 },
-        { "incline", "angle", 20, 0.84, { 0, 1, 0 }, 0, 0, 0, 0, 0,  1, 14, 12, 12, 121704 },
-        { "incline", "angle", 50, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 0,  2, 4, 3, 3, 17955 },
-        { "incline", "angle", 50, 0.84, { -1, 0, 0 }, 0, 0, 0, 0, 0,  3, 8, 5, 3, 21995 },
-        { "topple", "angle", 10, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 0,  1, 9, 7, 7, 26838 },
-        { "keystone", "angle", 10, 0.84, { 0, 0, -1 }, 0, 0, 0, 0, 0,  3, 7, 5, 4, 35239 },
-        { "keystone", "angle", -10, 0.84, { 0, 0, 1 }, 0, 0, 0, 0, 0,  3, 8, 6, 5, 36104 }
+        { { "two-cubes", "offset", 0.3, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 0, { 1, 9, 7, 7, 26838 } },
+        { { "two-cubes", "offset", 0.3, 0.1, { 1, 1, 0 }, 0 }, 0, 0, 0, 0, { 1, 10, 8, 8, 85236 } },
+        { { "two-cubes", "offset", 0.6, 0.84, { -1, 0, 0.2 }, 0 }, 0, 0, 0, 0, { 1, 12, 9, 7, 34703 } },
+        { { "two-cubes", "offset", 0.6, 0.84, { 0, 0, -1 }, 0 }, 0, 0, 0, 0, { 2, 5, 4, 4, 21089 } },
+        { { "incline", "angle", 20, 0.84, { 0, 1, 0 }, 0 }, 0, 0, 0, 0, { 1, 14, 12, 12, 121704 } },
+        { { "incline", "angle", 50, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 0, { 2, 4, 3, 3, 17955 } },
+        { { "incline", "angle", 50, 0.84, { -1, 0, 0 }, 0 }, 0, 0, 0, 0, { 3, 8, 5, 3, 21995 } },
+        { { "topple", "angle", 10, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 0, { 1, 9, 7, 7, 26838 } },
+        { { "keystone", "angle", 10, 0.84, { 0, 0, -1 }, 0 }, 0, 0, 0, 0, { 3, 7, 5, 4, 35239 } },
+        { { "keystone", "angle", -10, 0.84, { 0, 0, 1 }, 0 }, 0, 0, 0, 0, { 3, 8, 6, 5, 36104 } }
     };
     COMPARE(rows);
 }
@@ -97,18 +60,18 @@ TEST(pushed_stones_take_the_work_written_here)
 TEST(pushed_assemblies_take_the_work_written_here)
 {
     static const count rows[] = {
-        { "tower", "n", 4, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 0,  1, 9, 7, 7, 128520 },
-        { "tower", "n", 4, 0.1, { 0, 1, 0 }, 0, 0, 0, 0, 0,  1, 16, 14, 14, 666551 },
-        { "overhang", "n", 4, 0.84, { 0, 0, -1 }, 0, 0, 0, 0, 0,  3, 9, 7, 7, 114712 },
-        { "overhang", "factor", 1.1, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 0,  2, 4, 3, 3, 109305 },
-        { "cantilever", "reach", 1.2, 0.84, { 0, 0, -1 }, 0, 0, 0, 0, 0,  3, 8, 6, 6, 46738 },
-        { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 0,  1, 11, 9, 7, 215731 },
-        { "arch", "n", 7, 0.84, { 0, 1, 0 }, 0, 0, 0, 0, 0,  1, 13, 11, 8, 686971 },
-        { "arch", "t", 0.08, 0.84, { 1, 0, 0.3 }, 0, 0, 0, 0, 0,  2, 4, 3, 3, 471666 },
-        { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 0,  3, 10, 8, 5, 127444 },
-        { "flat-arch", "n", 4, 0.84, { 0, 0, -1 }, 0, 0, 0, 0, 0,  3, 9, 7, 4, 116175 },
-        { "diamond", "rows", 3, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 0,  1, 13, 11, 8, 609222 },
-        { "inverted-triangle", "rows", 2, 0.84, { 0, 1, 0 }, 0, 0, 0, 0, 0,  1, 10, 8, 8, 239110 }
+        { { "tower", "n", 4, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 0, { 1, 9, 7, 7, 128520 } },
+        { { "tower", "n", 4, 0.1, { 0, 1, 0 }, 0 }, 0, 0, 0, 0, { 1, 16, 14, 14, 666551 } },
+        { { "overhang", "n", 4, 0.84, { 0, 0, -1 }, 0 }, 0, 0, 0, 0, { 3, 9, 7, 7, 114712 } },
+        { { "overhang", "factor", 1.1, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 0, { 2, 4, 3, 3, 109305 } },
+        { { "cantilever", "reach", 1.2, 0.84, { 0, 0, -1 }, 0 }, 0, 0, 0, 0, { 3, 8, 6, 6, 46738 } },
+        { { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 0, { 1, 11, 9, 7, 215731 } },
+        { { "arch", "n", 7, 0.84, { 0, 1, 0 }, 0 }, 0, 0, 0, 0, { 1, 13, 11, 8, 686971 } },
+        { { "arch", "t", 0.08, 0.84, { 1, 0, 0.3 }, 0 }, 0, 0, 0, 0, { 2, 4, 3, 3, 471666 } },
+        { { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 0, { 3, 10, 8, 5, 127444 } },
+        { { "flat-arch", "n", 4, 0.84, { 0, 0, -1 }, 0 }, 0, 0, 0, 0, { 3, 9, 7, 4, 116175 } },
+        { { "diamond", "rows", 3, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 0, { 1, 13, 11, 8, 609222 } },
+        { { "inverted-triangle", "rows", 2, 0.84, { 0, 1, 0 }, 0 }, 0, 0, 0, 0, { 1, 10, 8, 8, 239110 } }
     };
     COMPARE(rows);
 }
@@ -116,10 +79,10 @@ TEST(pushed_assemblies_take_the_work_written_here)
 TEST(walls_and_shells_that_are_pushed_take_the_work_written_here)
 {
     static const count rows[] = {
-        { "wall", "bricks", 2, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 0,  1, 17, 15, 15, 2746459 },
-        { "wall", "rows", 2, 0.3, { 1, 1, 0 }, 0, 0, 0, 0, 0,  1, 15, 13, 13, 5361508 },
-        { "wall", "rows", 3, 0, { 1, 0, 0 }, 0, 0, 0, 0, 0,  1, 9, 7, 7, 2133474 },
-        { "wall", "tilt", 20, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 0,  1, 23, 21, 16, 17654654 }
+        { { "wall", "bricks", 2, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 0, { 1, 17, 15, 15, 2746459 } },
+        { { "wall", "rows", 2, 0.3, { 1, 1, 0 }, 0 }, 0, 0, 0, 0, { 1, 15, 13, 13, 5361508 } },
+        { { "wall", "rows", 3, 0, { 1, 0, 0 }, 0 }, 0, 0, 0, 0, { 1, 9, 7, 7, 2133474 } },
+        { { "wall", "tilt", 20, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 0, { 1, 23, 21, 16, 17654654 } }
     };
     COMPARE(rows);
 }
@@ -127,9 +90,9 @@ TEST(walls_and_shells_that_are_pushed_take_the_work_written_here)
 TEST(shells_and_rubble_that_are_pushed_take_the_work_written_here)
 {
     static const count rows[] = {
-        { "rubble", "bricks", 2, 0.5, { 1, 0, 0 }, 0, 0, 0, 0, 0,  1, 17, 15, 13, 1920830 },
-        { "vault", "around", 3, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 0,  1, 10, 8, 8, 3855984 },
-        { "dome", "rings", 1, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 0,  1, 16, 13, 12, 4276177 }
+        { { "rubble", "bricks", 2, 0.5, { 1, 0, 0 }, 0 }, 0, 0, 0, 0, { 1, 17, 15, 13, 1920830 } },
+        { { "vault", "around", 3, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 0, { 1, 10, 8, 8, 3855984 } },
+        { { "dome", "rings", 1, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 0, { 1, 16, 13, 12, 4276177 } }
     };
     COMPARE(rows);
 }
@@ -137,13 +100,13 @@ TEST(shells_and_rubble_that_are_pushed_take_the_work_written_here)
 TEST(limits_in_space_and_with_pyramids_take_the_work_written_here)
 {
     static const count rows[] = {
-        { "two-cubes", "offset", 0.3, 0.84, { 1, 0, 0 }, 4, 1, 0, 0, 0,  1, 9, 7, 7, 28380 },
-        { "tower", "n", 3, 0.1, { 1, 1, 0 }, 8, 0, 0, 0, 0,  1, 11, 9, 9, 256903 },
-        { "tower", "n", 3, 0.84, { 1, 0, 0 }, 16, 1, 1, 0, 0,  1, 10, 8, 8, 243010 },
-        { "arch", "n", 5, 0.84, { 1, 0, 0 }, 4, 0, 0, 0, 0,  1, 11, 9, 7, 203449 },
-        { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0, 0, 1, 0, 0,  1, 11, 9, 7, 567115 },
-        { "diamond", "rows", 2, 0.5, { 1, 0, 0 }, 8, 1, 1, 0, 0,  1, 11, 9, 9, 490233 },
-        { "keystone", "angle", 20, 0.3, { 0, 1, 0 }, 0, 0, 1, 0, 0,  2, 3, 2, 2, 62025 }
+        { { "two-cubes", "offset", 0.3, 0.84, { 1, 0, 0 }, 0 }, 4, 1, 0, 0, { 1, 9, 7, 7, 28380 } },
+        { { "tower", "n", 3, 0.1, { 1, 1, 0 }, 0 }, 8, 0, 0, 0, { 1, 11, 9, 9, 256903 } },
+        { { "tower", "n", 3, 0.84, { 1, 0, 0 }, 0 }, 16, 1, 1, 0, { 1, 10, 8, 8, 243010 } },
+        { { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0 }, 4, 0, 0, 0, { 1, 11, 9, 7, 203449 } },
+        { { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 1, 0, { 1, 11, 9, 7, 567115 } },
+        { { "diamond", "rows", 2, 0.5, { 1, 0, 0 }, 0 }, 8, 1, 1, 0, { 1, 11, 9, 9, 490233 } },
+        { { "keystone", "angle", 20, 0.3, { 0, 1, 0 }, 0 }, 0, 0, 1, 0, { 2, 3, 2, 2, 62025 } }
     };
     COMPARE(rows);
 }
@@ -151,16 +114,16 @@ TEST(limits_in_space_and_with_pyramids_take_the_work_written_here)
 TEST(glued_and_crushed_limits_take_the_work_written_here)
 {
     static const count rows[] = {
-        { "two-cubes", "offset", 0.3, 0.84, { 1, 0, 0 }, 0, 0, 0, 1, 0,  1, 8, 4, 0, 30364 },
-        { "two-cubes", "offset", 0.6, 0.84, { 1, 0, 0 }, 0, 0, 0, 3, 0,  1, 10, 5, 0, 34346 },
-        { "two-cubes", "offset", 0.3, 0.84, { 0, 0, -1 }, 0, 0, 0, 4, 0,  1, 17, 13, 0, 40014 },
-        { "incline", "angle", 20, 0.84, { 0, 0, -1 }, 0, 0, 0, 3, 0,  3, 2, 0, 0, 11325 },
-        { "tower", "n", 3, 0.3, { 1, 0, 0 }, 0, 0, 0, 7, 0,  1, 25, 21, 0, 201004 },
-        { "keystone", "angle", 20, 0.84, { 0, 0, -1 }, 0, 0, 0, 1, 0,  3, 4, 2, 0, 21572 },
-        { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0, 0, 0, 4, 0,  1, 37, 33, 0, 588239 },
-        { "flat-arch", "n", 3, 0.84, { 0, 0, -1 }, 0, 0, 0, 6, 0,  1, 25, 19, 0, 213843 },
-        { "cantilever", "reach", 1.2, 0.84, { 0, 0, -1 }, 0, 0, 0, 7, 0,  1, 250, 242, 0, 397684 },
-        { "tower", "n", 3, 0.3, { 1, 0, 0 }, 8, 1, 1, 5, 0,  1, 26, 22, 0, 458742 }
+        { { "two-cubes", "offset", 0.3, 0.84, { 1, 0, 0 }, 1 }, 0, 0, 0, 0, { 1, 8, 4, 0, 30364 } },
+        { { "two-cubes", "offset", 0.6, 0.84, { 1, 0, 0 }, 3 }, 0, 0, 0, 0, { 1, 10, 5, 0, 34346 } },
+        { { "two-cubes", "offset", 0.3, 0.84, { 0, 0, -1 }, 4 }, 0, 0, 0, 0, { 1, 17, 13, 0, 40014 } },
+        { { "incline", "angle", 20, 0.84, { 0, 0, -1 }, 3 }, 0, 0, 0, 0, { 3, 2, 0, 0, 11325 } },
+        { { "tower", "n", 3, 0.3, { 1, 0, 0 }, 7 }, 0, 0, 0, 0, { 1, 25, 21, 0, 201004 } },
+        { { "keystone", "angle", 20, 0.84, { 0, 0, -1 }, 1 }, 0, 0, 0, 0, { 3, 4, 2, 0, 21572 } },
+        { { "arch", "n", 5, 0.84, { 1, 0, 0 }, 4 }, 0, 0, 0, 0, { 1, 37, 33, 0, 588239 } },
+        { { "flat-arch", "n", 3, 0.84, { 0, 0, -1 }, 6 }, 0, 0, 0, 0, { 1, 25, 19, 0, 213843 } },
+        { { "cantilever", "reach", 1.2, 0.84, { 0, 0, -1 }, 7 }, 0, 0, 0, 0, { 1, 250, 242, 0, 397684 } },
+        { { "tower", "n", 3, 0.3, { 1, 0, 0 }, 5 }, 8, 1, 1, 0, { 1, 26, 22, 0, 458742 } }
     };
     COMPARE(rows);
 }
@@ -168,30 +131,30 @@ TEST(glued_and_crushed_limits_take_the_work_written_here)
 TEST(budgets_end_limits_where_written_here)
 {
     static const count rows[] = {
-        { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 90,  0, 2, 1, 1, 43696 },
-        { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 100,  0, 3, 2, 2, 66451 },
-        { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 120,  0, 6, 5, 5, 109816 },
-        { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 140,  0, 7, 6, 6, 151542 },
-        { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 170,  1, 11, 9, 7, 215731 },
-        { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 200,  1, 11, 9, 7, 215731 },
-        { "tower", "n", 3, 0.3, { 1, 0, 0 }, 0, 0, 0, 7, 90,  0, 9, 6, 0, 121496 },
-        { "tower", "n", 3, 0.3, { 1, 0, 0 }, 0, 0, 0, 7, 100,  0, 12, 9, 0, 141588 },
-        { "tower", "n", 3, 0.3, { 1, 0, 0 }, 0, 0, 0, 7, 120,  0, 21, 18, 0, 180933 },
-        { "tower", "n", 3, 0.3, { 1, 0, 0 }, 0, 0, 0, 7, 140,  1, 25, 21, 0, 201004 },
-        { "tower", "n", 3, 0.3, { 1, 0, 0 }, 0, 0, 0, 7, 170,  1, 25, 21, 0, 201004 },
-        { "tower", "n", 3, 0.3, { 1, 0, 0 }, 0, 0, 0, 7, 200,  1, 25, 21, 0, 201004 },
-        { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 90,  0, 0, 0, 0, 0 },
-        { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 100,  0, 0, 0, 0, 0 },
-        { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 120,  0, 2, 1, 1, 109644 },
-        { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 140,  0, 4, 3, 3, 135206 },
-        { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 170,  0, 6, 5, 5, 171660 },
-        { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0, 0, 0, 0, 200,  3, 8, 6, 5, 116758 },
-        { "two-cubes", "offset", 0.6, 0.84, { -1, 0, 0.2 }, 0, 0, 0, 0, 90,  0, 2, 1, 1, 6391 },
-        { "two-cubes", "offset", 0.6, 0.84, { -1, 0, 0.2 }, 0, 0, 0, 0, 100,  0, 3, 2, 2, 9779 },
-        { "two-cubes", "offset", 0.6, 0.84, { -1, 0, 0.2 }, 0, 0, 0, 0, 120,  0, 7, 6, 6, 16801 },
-        { "two-cubes", "offset", 0.6, 0.84, { -1, 0, 0.2 }, 0, 0, 0, 0, 140,  1, 8, 7, 7, 27115 },
-        { "two-cubes", "offset", 0.6, 0.84, { -1, 0, 0.2 }, 0, 0, 0, 0, 170,  1, 12, 9, 7, 34703 },
-        { "two-cubes", "offset", 0.6, 0.84, { -1, 0, 0.2 }, 0, 0, 0, 0, 200,  1, 12, 9, 7, 34703 }
+        { { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 90, { 0, 2, 1, 1, 43696 } },
+        { { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 100, { 0, 3, 2, 2, 66451 } },
+        { { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 120, { 0, 6, 5, 5, 109816 } },
+        { { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 140, { 0, 7, 6, 6, 151542 } },
+        { { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 170, { 1, 11, 9, 7, 215731 } },
+        { { "arch", "n", 5, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 200, { 1, 11, 9, 7, 215731 } },
+        { { "tower", "n", 3, 0.3, { 1, 0, 0 }, 7 }, 0, 0, 0, 90, { 0, 9, 6, 0, 121496 } },
+        { { "tower", "n", 3, 0.3, { 1, 0, 0 }, 7 }, 0, 0, 0, 100, { 0, 12, 9, 0, 141588 } },
+        { { "tower", "n", 3, 0.3, { 1, 0, 0 }, 7 }, 0, 0, 0, 120, { 0, 21, 18, 0, 180933 } },
+        { { "tower", "n", 3, 0.3, { 1, 0, 0 }, 7 }, 0, 0, 0, 140, { 1, 25, 21, 0, 201004 } },
+        { { "tower", "n", 3, 0.3, { 1, 0, 0 }, 7 }, 0, 0, 0, 170, { 1, 25, 21, 0, 201004 } },
+        { { "tower", "n", 3, 0.3, { 1, 0, 0 }, 7 }, 0, 0, 0, 200, { 1, 25, 21, 0, 201004 } },
+        { { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 90, { 0, 0, 0, 0, 0 } },
+        { { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 100, { 0, 0, 0, 0, 0 } },
+        { { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 120, { 0, 2, 1, 1, 109644 } },
+        { { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 140, { 0, 4, 3, 3, 135206 } },
+        { { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 170, { 0, 6, 5, 5, 171660 } },
+        { { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0 }, 0, 0, 0, 200, { 3, 8, 6, 5, 116758 } },
+        { { "two-cubes", "offset", 0.6, 0.84, { -1, 0, 0.2 }, 0 }, 0, 0, 0, 90, { 0, 2, 1, 1, 6391 } },
+        { { "two-cubes", "offset", 0.6, 0.84, { -1, 0, 0.2 }, 0 }, 0, 0, 0, 100, { 0, 3, 2, 2, 9779 } },
+        { { "two-cubes", "offset", 0.6, 0.84, { -1, 0, 0.2 }, 0 }, 0, 0, 0, 120, { 0, 7, 6, 6, 16801 } },
+        { { "two-cubes", "offset", 0.6, 0.84, { -1, 0, 0.2 }, 0 }, 0, 0, 0, 140, { 1, 8, 7, 7, 27115 } },
+        { { "two-cubes", "offset", 0.6, 0.84, { -1, 0, 0.2 }, 0 }, 0, 0, 0, 170, { 1, 12, 9, 7, 34703 } },
+        { { "two-cubes", "offset", 0.6, 0.84, { -1, 0, 0.2 }, 0 }, 0, 0, 0, 200, { 1, 12, 9, 7, 34703 } }
     };
     COMPARE(rows);
 }

@@ -30,11 +30,12 @@ SETS = {
     'limit': ['solvers/limit/*.c'],
     'core': ['solvers/*/*.c'],
 }
-# Suites by what is changed, quick ones first; `core` is asked by all of them.
+# Suites by what is changed, quick ones first.
 JUDGES = ['moving', 'scale', 'search', 'forces', 'spin', 'leaf', 'corner', 'refute', 'still', 'shear', 'triple', 'verify', 'claims',
           'strong', 'shapes', 'spared', 'attack', 'exact', 'coupled', 'strength', 'closed', 'sliding']
 VERIFIES = ['hint', 'verify', 'islands', 'claims', 'arguments', 'exact', 'memory', 'capacity', 'strong']    # of verify alone
 LIMITS = ['count', 'limit', 'arguments', 'bracket', 'spent', 'effort', 'sliding']  # of limit alone
+NOT_CORE = ('host', 'settle', 'small')          # of the core all other suites are asked, their quick tests
 # What a survivor is asked by once more, fenced.
 WHITE = ['scale', 'search', 'forces', 'spin', 'leaf', 'still', 'shear', 'corner', 'moving']
 FLAGS = ['-std=c99', '-ffp-contract=off', '-fno-math-errno']
@@ -334,7 +335,9 @@ def main():
         with open('build/scenes.h', 'w') as f:
             f.write(run(['awk', '-f', 'tests/corpus/scenes.awk', *glob('tests/scenes/*.obj')]).stdout)
     compiler = ['tcc'] if shutil.which('tcc') else [os.environ.get('CC', 'gcc'), *FLAGS[1:], '-O0']
-    suites = Suites(args.suites or {'limit': LIMITS, 'verify': VERIFIES}.get(' '.join(args.of), JUDGES), 'build/mutation/suites', compiler)
+    core = [re.sub(r'.*/test_(\w+)\.c', r'\1', p) for p in glob('tests/*/test_*.c') if p.split('/')[1] not in NOT_CORE]
+    those = {'limit': LIMITS, 'verify': VERIFIES, 'core': core}.get(' '.join(args.of), JUDGES)
+    suites = Suites(args.suites or those, 'build/mutation/suites', compiler)
     rooms = [Room(k, suites) for k in range(args.jobs)]
     counts = suites.split(rooms[0].build(None)[0]())
     for file in files:                                  # what is fenced notices nothing by failing always

@@ -1,0 +1,65 @@
+/* What the suites that count work to the flop share: small generated scenes, pushed and glued, and counts beside those written.
+ * In double, with nothing left out, counts are the same on every machine. All of it is static. */
+#ifndef TALLY_H
+#define TALLY_H
+
+#include "../test.h"
+#include "gen.h"
+
+#include <string.h>
+
+#if defined SP_NO_PLAN || defined SP_REAL_MIXED || defined SP_REAL_QUAD || defined SP_REAL_FLOAT || defined SP_NO_IPM
+enum { COUNTED = 0 };
+#else
+enum { COUNTED = 1 };
+#endif
+
+/* A generated scene. live: acceleration of all its blocks / g; glue: 1 cohesion, 2 tension, 4 crushing, of 3, 1/2, 20 times the
+ * weight over the area of all joints. */
+typedef struct tally_scene {
+    const char *name, *number; double value, mu, live[3]; int glue;
+} tally_scene;
+
+typedef struct tally { int kind, factorisations, iterations, interior; int64_t flops; } tally;
+
+static sp_scene tally_make(const tally_scene *t)
+{
+    gen_scene g;
+    sp_scene s;
+    double mass = 0, area = 0;
+    test_arena.used = 0;
+    memset(&s, 0, sizeof s);
+    if (!CHECK_INT(gen_open(&g, t->name), 1) || !CHECK_INT(gen_set(&g, t->number, t->value), 1)) return s;
+    CHECK_INT(gen_set(&g, "mu", t->mu), 1);
+    CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
+    for (int k = 0; k < 3; k++) s.body[k] = R(9.80665 * t->live[k]);
+    for (int32_t b = 0; b < s.count.blocks; b++) mass += s.block[b].fixed == SP_FIXED ? 0 : (double)s.block[b].mass;
+    for (int32_t i = 0; i < s.count.joints; i++) area += (double)s.joint[i].area;
+    for (int32_t i = 0; i < s.count.joints; i++) {
+        sp_strength *k = &s.joint[i].strength;
+        if (t->glue & 1) k->cohesion = R(3 * 9.80665 * mass / area);
+        if (t->glue & 2) k->tension = R(0.5 * 9.80665 * mass / area);
+        if (t->glue & 4) k->crushing = R(20 * 9.80665 * mass / area);
+    }
+    return s;
+}
+
+static void tally_add(sp_cost *sum, const sp_cost *more)
+{
+    sum->flops += more->flops;
+    sum->factorisations += more->factorisations;
+    sum->iterations += more->iterations;
+    sum->interior += more->interior;
+}
+
+/* Are they the counts of row k? */
+static void tally_compare(const tally_scene *t, size_t k, const tally *written, int kind, const sp_cost *cost)
+{
+    const int same = written->kind == kind && written->factorisations == cost->factorisations && written->flops == cost->flops
+                  && written->iterations == cost->iterations && written->interior == cost->interior;
+    if (!COUNTED || CHECK(same)) return;
+    TEST_PRINT("    %s %s=%g, row %d: %d, %d, %d, %d, %lld\n", t->name, t->number, t->value, (int)k, kind, (int)cost->factorisations,
+               (int)cost->iterations, (int)cost->interior, (long long)cost->flops);
+}
+
+#endif /* TALLY_H */
