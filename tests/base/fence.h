@@ -21,34 +21,34 @@
 #define ASAN_UNPOISON_MEMORY_REGION(p, n) ((void)(p))
 #endif
 
-enum { WIDTH = 32, BYTE = 0xd7, MOST = 1024 };
+enum { FENCE_WIDTH = 32, FENCE_BYTE = 0xd7, FENCE_MOST = 1024 };
 
-static unsigned char *fence[MOST];                      /* standing, lowest first */
+static unsigned char *fence[FENCE_MOST];                      /* standing, lowest first */
 static int fences, broken, built;
 
 static void fences_down(const unsigned char *from)
 {
-    while (fences && fence[fences - 1] + WIDTH > from) {
+    while (fences && fence[fences - 1] + FENCE_WIDTH > from) {
         const unsigned char *at = fence[--fences];
-        ASAN_UNPOISON_MEMORY_REGION(at, WIDTH);
-        for (int k = 0; k < WIDTH; k++)
-            if (at[k] != BYTE) { broken++; break; }
+        ASAN_UNPOISON_MEMORY_REGION(at, FENCE_WIDTH);
+        for (int k = 0; k < FENCE_WIDTH; k++)
+            if (at[k] != FENCE_BYTE) { broken++; break; }
     }
 }
 
 /* sp__take with a fence behind the piece; counts it on a dry arena too, so sizes and layout still agree. */
 static void *fenced_take(sp_arena *a, size_t count, size_t size)
 {
-    if (size && count > (SIZE_MAX - WIDTH) / size) return sp__take(a, count, size);
-    unsigned char *piece = sp__take(a, 1, count * size + WIDTH);
+    if (size && count > (SIZE_MAX - FENCE_WIDTH) / size) return sp__take(a, count, size);
+    unsigned char *piece = sp__take(a, 1, count * size + FENCE_WIDTH);
     if (!piece) return NULL;
     fences_down(piece);
-    ASAN_UNPOISON_MEMORY_REGION(piece, count * size + WIDTH);
+    ASAN_UNPOISON_MEMORY_REGION(piece, count * size + FENCE_WIDTH);
     memset(piece, 0x5b, count * size);                  /* nothing may count on zeros */
-    if (fences < MOST) {
+    if (fences < FENCE_MOST) {
         fence[fences] = piece + count * size;
-        memset(fence[fences], BYTE, WIDTH);
-        ASAN_POISON_MEMORY_REGION(fence[fences], WIDTH);
+        memset(fence[fences], FENCE_BYTE, FENCE_WIDTH);
+        ASAN_POISON_MEMORY_REGION(fence[fences], FENCE_WIDTH);
         fences++;
         built++;
     }

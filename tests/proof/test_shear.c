@@ -276,7 +276,7 @@ TEST(even_friction_takes_a_matrix_and_a_half_of_six_rows_a_block)
                              + (size_t)joints * sizeof(sp__shear_pair);
         const size_t need = sp__shear_need(points, joints, blocks);
 #ifdef FENCED
-        const size_t most = least + 7 * (16 + WIDTH);
+        const size_t most = least + 7 * (16 + FENCE_WIDTH);
 #else
         const size_t most = least + 7 * 16;
 #endif
