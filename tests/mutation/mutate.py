@@ -143,8 +143,8 @@ class Kept:
 
 class Suites:
     """Suites, compiled once, and two runners over them: quick tests, then the others that take no more than SLOW."""
-    def __init__(self, names, work, compiler):
-        self.work, self.compiler, self.parts, self.objects = work, compiler, {}, {}
+    def __init__(self, names, work, compiler, quick):
+        self.work, self.compiler, self.quick, self.parts, self.objects = work, compiler, quick, {}, {}
         os.makedirs(work, exist_ok=True)
         where = {re.sub(r'.*/test_(\w+)\.c', r'\1', p): p for p in glob('tests/*/test_*.c')}
         self.names = [n for n in names if n in where]
@@ -184,7 +184,7 @@ class Suites:
         first = {n: sum(ms for t, ms in took if t.startswith(n + '/') and ms <= QUICK) for n in self.names}
         self.names.sort(key=lambda n: (n not in FIRST, first[n]))
         quick = [t for t, ms in took if ms <= QUICK]
-        slow = [t for t, ms in took if QUICK < ms <= SLOW]
+        slow = [t for t, ms in took if QUICK < ms <= SLOW and not self.quick]
         self.runners = [self.runner('quick', [t for t, ms in took if t not in quick]),
                         self.runner('slow', [t for t, ms in took if t not in slow])]
         self.seconds = [sum(ms for t, ms in took if t in which) / 1000 for which in (quick, slow)]
@@ -340,7 +340,7 @@ def main():
     compiler = ['tcc'] if shutil.which('tcc') else [os.environ.get('CC', 'gcc'), *FLAGS[1:], '-O0']
     core = [re.sub(r'.*/test_(\w+)\.c', r'\1', p) for p in glob('tests/*/test_*.c') if p.split('/')[1] not in NOT_CORE]
     those = {'limit': LIMITS, 'verify': VERIFIES, 'core': core}.get(' '.join(args.of), JUDGES)
-    suites = Suites(args.suites or those, 'build/mutation/suites', compiler)
+    suites = Suites(args.suites or those, 'build/mutation/suites', compiler, those is core)
     rooms = [Room(k, suites) for k in range(args.jobs)]
     counts = suites.split(rooms[0].build(None)[0]())
     noticed = rooms[0].fenced(files)                    # what is fenced notices nothing by failing always
