@@ -16,7 +16,8 @@ static int sp__limit_upper_at(sp__limit *L, sp_real lambda)
 {
     sp_limit_result *r = &L->r;
     if (!sp__bracket_falls(&L->bracket, lambda, 1, r->dq)) return 0;
-    if (L->bracket.least < (sp_real)1.1 * L->bracket.set.tol) {   /* a marginal proof: again, as the result will hold it */
+    const sp_real marginal = sp__limit_strong(L) ? 2 : (sp_real)1.1;    /* caps make up to a fifth of tol of rounding */
+    if (L->bracket.least < marginal * L->bracket.set.tol) {     /* again, as the result will hold it */
         sp__motion_read(&L->bracket.pb, r->dq, L->bracket.dq);
         if (!sp__bracket_falls(&L->bracket, lambda, 1, NULL)) return 0;
     }
