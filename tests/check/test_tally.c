@@ -271,6 +271,31 @@ TEST(coupled_checks_of_other_lengths_take_the_work_written_here)
     COMPARE(rows);
 }
 
+TEST(coupled_trees_and_rings_take_the_work_written_here)
+{
+    static const count rows[] = {
+        { { "tower", "n", 3, 0.84, { 0, 0, 0 }, 0 }, COUPLED, 0, { 11, 1, 0, 0, 11485 } },
+        { { "incline", "turn", 30, 0.84, { 0, 0, 0 }, 0 }, COUPLED, 0, { 11, 1, 0, 0, 7713 } },
+        { { "incline", "angle", 40, 0.84, { 0, 0, 0 }, 0 }, COUPLED, 0, { 11, 2, 1, 0, 4632 } },
+        { { "overhang", "n", 3, 0.84, { 0, 0, 0 }, 0 }, COUPLED, 0, { 11, 1, 0, 0, 11485 } },
+        { { "cantilever", "reach", 1.2, 0.84, { 0, 0, 0 }, 0 }, COUPLED, 0, { 11, 1, 0, 0, 7547 } },
+        { { "incline", "angle", 20, 0.84, { 0, 0, 0 }, 0 }, COUPLED_8, 0, { 11, 1, 0, 0, 3609 } },
+        { { "overhang", "factor", 0.99, 0.84, { 0, 0, 0 }, 0 }, COUPLED_BOX, 0, { 11, 1, 0, 0, 19361 } },
+        { { "topple", "angle", 10, 0.84, { 0, 0, 0 }, 0 }, COUPLED_TREE, 0, { 11, 1, 0, 0, 3609 } },
+        { { "inverted-triangle", "rows", 2, 0.84, { 0, 0, 0 }, 0 }, COUPLED, 0, { 11, 1, 0, 0, 11485 } },
+        { { "inverted-triangle", "rows", 2, 0.84, { 0, 0, 0 }, 0 }, COUPLED_SOFT, 0, { 11, 1, 0, 0, 11485 } },
+        { { "keystone", "angle", -10, 0.84, { 0, 0, 0 }, 0 }, COUPLED, 0, { 11, 10, 5, 0, 20384 } },
+        { { "keystone", "angle", -10, 0.3, { 0, 0, 0 }, 0 }, COUPLED_8, 0, { 11, 10, 5, 0, 20384 } },
+        { { "two-cubes", "offset", 0.45, 0.84, { 0, 0, 0 }, 0 }, COUPLED_BOX, 0, { 11, 1, 0, 0, 3609 } },
+        { { "arch", "n", 3, 0.84, { 0, 0, 0 }, 0 }, COUPLED, 50, { 30, 6, 4, 0, 24712 } },
+        { { "arch", "n", 3, 0.84, { 0, 0, 0 }, 0 }, COUPLED, 0, { 11, 13, 8, 0, 49465 } },
+        { { "flat-arch", "n", 2, 0.84, { 0, 0, 0 }, 0 }, COUPLED, 70, { 30, 10, 7, 0, 28308 } },
+        { { "flat-arch", "n", 2, 0.84, { 0, 0, 0 }, 0 }, COUPLED_BOX, 0, { 11, 14, 9, 0, 40608 } },
+        { { "tower", "n", 3, 0.84, { 0, 0, 0 }, 0 }, COUPLED, 50, { 30, 1, 0, 0, 3851 } }
+    };
+    COMPARE(rows);
+}
+
 TEST(alternations_take_the_work_written_here)
 {
     static const count rows[] = {
@@ -315,7 +340,13 @@ TEST(sliding_limits_take_the_work_written_here)
         { { "tower", "n", 4, 0.84, { 1, 0, 0 }, 0 }, { 1, 0, 0, 0, 505288 } },
         { { "incline", "angle", 20, 0.84, { 1, 0, 0 }, 0 }, { 1, 0, 0, 0, 85126 } },
         { { "flat-arch", "n", 4, 0.84, { 1, 0, 0 }, 0 }, { 10, 0, 0, 0, 7782924 } },
-        { { "diamond", "rows", 3, 0.84, { 1, 0, 0 }, 0 }, { 1, 0, 0, 0, 3484668 } }
+        { { "diamond", "rows", 3, 0.84, { 1, 0, 0 }, 0 }, { 1, 0, 0, 0, 3484668 } },
+        { { "keystone", "angle", 10, 0.5, { 1, 0, 0 }, 0 }, { 1, 0, 0, 0, 6780604 } },
+        { { "cantilever", "reach", 1, 0.84, { 0, 0, -1 }, 0 }, { 10, 0, 0, 0, 6683546 } },
+        { { "tower", "n", 3, 0.1, { 1, 0, 0 }, 0 }, { 1, 0, 0, 0, 307650 } },
+        { { "inverted-triangle", "rows", 2, 0.84, { 1, 0, 0.2 }, 0 }, { 1, 0, 0, 0, 215496 } },
+        { { "overhang", "n", 3, 0.84, { 1, 0, 0 }, 0 }, { 1, 0, 0, 0, 280950 } },
+        { { "arch", "n", 7, 0.3, { 1, 0, 0 }, 0 }, { 10, 0, 0, 0, 275744 } }
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         const sp_scene s = tally_make(&rows[k].of);
@@ -387,6 +418,7 @@ TEST_LIST(tally)
     RUN(budgets_end_checks_where_written_here)
     RUN(coupled_checks_take_the_work_written_here)
     RUN(coupled_checks_of_other_lengths_take_the_work_written_here)
+    RUN(coupled_trees_and_rings_take_the_work_written_here)
     RUN(alternations_take_the_work_written_here)
     RUN(strong_verdicts_take_the_work_written_here)
     RUN(sliding_limits_take_the_work_written_here)
