@@ -27,7 +27,7 @@ typedef struct sp__starts {
     sp_real residual, moves;            /* of the pair judged last */
     int32_t tried;
     int32_t pivoted;                    /* starts that pivoting makes, the first of all */
-    sp__lemke lemke;                    /* where there are some */
+    sp__lemke *lemke;                   /* where there are some: the caller's */
 } sp__starts;
 
 static void sp__starts_carve(sp__starts *s, const sp_problem *pb, sp_arena *a)
@@ -108,7 +108,7 @@ SP__NOINLINE static int sp__starts_try(sp__starts *s, int32_t k)
     sp__sweep *w = &s->sweep;
     const sp_real fine = 16 * (sp_real)SP_EPSILON;
     memset(w->on, 1, (size_t)w->corners);
-    if (k < s->pivoted) sp__lemke_run(&s->lemke, w, 2463534242u + 7919u * (uint32_t)k);
+    if (k < s->pivoted) sp__lemke_run(s->lemke, w, 2463534242u + 7919u * (uint32_t)k);
     else sp__starts_set_out(s, k - s->pivoted, fine);
     sp__sweep_run(w, SP__STARTS_SWEEPS, k & 1, fine);
     sp__starts_calm(s);
@@ -118,11 +118,12 @@ SP__NOINLINE static int sp__starts_try(sp__starts *s, int32_t k)
 }
 
 /* Room for pivoting, where it is for so many corners: until the next call that takes the arena. */
-SP__NOINLINE static void sp__starts_pivot(sp__starts *s, sp_arena a)
+SP__NOINLINE static void sp__starts_pivot(sp__starts *s, sp__lemke *lemke, sp_arena a)
 {
     if (!sp__lemke_allowed(s->sweep.corners)) return;
     s->pivoted = SP__STARTS_PIVOTED;
-    sp__lemke_carve(&s->lemke, s->sweep.corners, &a);
+    s->lemke = lemke;
+    sp__lemke_carve(lemke, s->sweep.corners, &a);
 }
 
 /* Starts, `most` of them by sweeps, within the limit of flops: the first that moves, of few corners the fastest. */

@@ -14,6 +14,7 @@ typedef struct sp__holds {
     sp_settings set;                    /* resolved */
     sp_problem pb;
     sp__starts starts;
+    sp__lemke lemke;                    /* of starts */
     sp_strong_result r;
 } sp__holds;
 
@@ -136,7 +137,7 @@ SP__NOINLINE static void sp__holds_move(sp__holds *s, const sp_strong_settings *
         return;
     }
     r->reason = SP_STRONG_NOTHING_FOUND;
-    sp__starts_pivot(&s->starts, a);
+    sp__starts_pivot(&s->starts, &s->lemke, a);
     sp__starts_run(&s->starts, how->starts, s->set.budget > 0 ? s->set.budget : SP__STARTS_FLOPS, r);
     r->starts = s->starts.tried;
     r->cost.flops += s->starts.sweep.flops;
