@@ -1641,12 +1641,12 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_EXACT_ONLY   defined: of SP_SMALL the check alone, without sp_sequence; with it go SP_NO_QP, SP_NO_IPM, SP_NO_PLAN
  */
 
-/* Switches: what is lost, and the code saved of 231432 bytes on a Cortex-M7, of 224018 on an M4F in float.
+/* Switches: what is lost, and the code saved of 231442 bytes on a Cortex-M7, of 224028 on an M4F in float.
  *
  *   SP_NO_IPM         interior points, sp_limit and its calls, sp_joint_moves                         44520   42656
  *   SP_NO_PLAN        sp_plan; planar and level scenes in 3 rows a block, SP_EFFECT_DEPTH left out    11694   11718
  *   SP_NO_CRA         the coupled check: settings.coupled.asked                                       35984   34610
- *   SP_NO_STRONG      sp_strong: what friction holds whatever it does                                 20144   19376
+ *   SP_NO_STRONG      sp_strong: what friction holds whatever it does                                 20154   19386
  *   SP_NO_SLIDING     sp_sliding: limits without dilatancy                                            15470   14918
  *   SP_NO_ADMM        the preset of the seed, SP_STAGE_ADMM, settings.coupled.rounds                   8746    8484
  *   SP_NO_DYKSTRA     sp_qp_dykstra                                                                    3144    3076
@@ -1654,9 +1654,9 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_QP_NO_CG       SP_QP_CG, the back end without a matrix                                          1536    1492
  *   SP_QP_NO_POLISH   sp_qp_settings.polish: the last digits, sharper certificates                     3788    3592
  *   SP_QP_NO_INTERIOR interior points for quadratic programs: SP_QP_INTERIOR, sp_qp_interior           4104    4018
- *   SP_QP_ONLY        all that knows of stones                                                       205432  198680
- *   SP_SMALL          all but the smallest form; with SP_NO_CRA; no CG, polish, interior points      182283  176387
- *   SP_EXACT_ONLY     as SP_SMALL, and sp_sequence; with SP_NO_QP, SP_NO_IPM, SP_NO_PLAN             198851  192491
+ *   SP_QP_ONLY        all that knows of stones                                                       205442  198690
+ *   SP_SMALL          all but the smallest form; with SP_NO_CRA; no CG, polish, interior points      182293  176397
+ *   SP_EXACT_ONLY     as SP_SMALL, and sp_sequence; with SP_NO_QP, SP_NO_IPM, SP_NO_PLAN             198861  192501
  *
  * Calls left out are not declared; settings that ask for what is left out are SP_E_UNSUPPORTED. Any may be combined, but
  * two contradictions stop at an #error: SP_QP_ONLY with SP_NO_QP or SP_EXACT_ONLY; more than one of SP_REAL_MIXED,
