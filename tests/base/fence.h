@@ -23,7 +23,7 @@
 
 enum { FENCE_WIDTH = 32, FENCE_BYTE = 0xd7, FENCE_MOST = 1024 };
 
-static unsigned char *fence[FENCE_MOST];                      /* standing, lowest first */
+static unsigned char *fence[FENCE_MOST];                /* standing, lowest first */
 static int fences, broken, built;
 
 static void fences_down(const unsigned char *from)

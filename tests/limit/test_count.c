@@ -34,7 +34,7 @@ static void compare(const count *rows, size_t n)
 {
     for (size_t k = 0; k < n; k++) {
         const sp_limit_result x = counted(&rows[k]);
-        tally_compare(&rows[k].of, k, &rows[k].is, (int)x.kind, &x.cost);
+        tally_compare(rows[k].of.name, k, &rows[k].is, (int)x.kind, &x.cost);
     }
 }
 

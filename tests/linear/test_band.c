@@ -13,7 +13,7 @@ enum { MOST = 30 };
 
 static sp_real A[MOST][MOST];
 
-/* Entries of -1 to 1 in the band, small ones on the diagonal, so that rows are exchanged. */
+/* Entries of -1 to 1 in the band, small ones on the diagonal, so that rows are exchanged; of 1 to 3 where there is nothing else. */
 static void random_band(sp__band *b, int32_t n, int32_t h)
 {
     sp__band_carve(b, n, h, &test_arena);

@@ -20,6 +20,7 @@ typedef struct tally_scene {
     const char *name, *number; double value, mu, live[3]; int glue;
 } tally_scene;
 
+/* kind: what was answered, as each suite numbers it. */
 typedef struct tally { int kind, factorisations, iterations, interior; int64_t flops; } tally;
 
 static sp_scene tally_make(const tally_scene *t)
@@ -52,14 +53,14 @@ static void tally_add(sp_cost *sum, const sp_cost *more)
     sum->interior += more->interior;
 }
 
-/* Are they the counts of row k? */
-static void tally_compare(const tally_scene *t, size_t k, const tally *written, int kind, const sp_cost *cost)
+/* Are they the counts of row k of `what`? */
+static void tally_compare(const char *what, size_t k, const tally *written, int kind, const sp_cost *cost)
 {
     const int same = written->kind == kind && written->factorisations == cost->factorisations && written->flops == cost->flops
                   && written->iterations == cost->iterations && written->interior == cost->interior;
     if (!COUNTED || CHECK(same)) return;
-    TEST_PRINT("    %s %s=%g, row %d: %d, %d, %d, %d, %lld\n", t->name, t->number, t->value, (int)k, kind, (int)cost->factorisations,
-               (int)cost->iterations, (int)cost->interior, (long long)cost->flops);
+    TEST_PRINT("    %s, row %d: %d, %d, %d, %d, %lld\n", what, (int)k, kind, (int)cost->factorisations, (int)cost->iterations,
+               (int)cost->interior, (long long)cost->flops);
 }
 
 #endif /* TALLY_H */

@@ -56,6 +56,22 @@ static sp_scene board(double c)
     return s;
 }
 
+/* One more board, on four points of the ground, each a joint of its own whose normal is n; it touches nothing else. */
+static void rest_beside(sp_scene *s, const sp_real n[3])
+{
+    static const sp_real side[4][2] = { { R(-0.5), R(-0.4) }, { R(0.6), R(-0.5) }, { R(0.4), R(0.5) }, { R(-0.6), R(0.4) } };
+    const sp_strength rough = sp_strength_friction(R(0.5));
+    sp_real corner[24];
+    memcpy(corner, s->vertex[0], sizeof corner);
+    const sp_mesh mesh = { 8, 6, corner, box_size, box_face };
+    int32_t block;
+    CHECK_INT(sp_scene_block(s, &mesh, 1, 0, &block), SP_OK);
+    for (int k = 0; k < 4; k++) {
+        const sp_real foot[3] = { side[k][0], side[k][1], 0 };
+        CHECK_INT(sp_scene_points(s, 0, block, n, 1, foot, &rough, NULL), SP_OK);
+    }
+}
+
 /* Turn the board about the vertical. */
 static void turn_board(sp_scene *s, double torque)
 {

@@ -157,19 +157,13 @@ TEST(splitting_an_edge_never_changes_the_answer_of_a_plate)
     CHECK_INT(ask(&s, NULL).kind, SP_STRONG_STRONG);
 }
 
-/* Beside it a block on three points of a slope, each a joint of its own: a point has no centre but itself, and rests. */
+/* A point has no centre of pressure but itself, and what stands on points beside a plate rests. */
 TEST(a_plate_spins_beside_what_rests_on_single_points)
 {
     const double c = 0.5, mu = 0.4, W = 1, J = (4 * c * c + 4 * c * c) / 12 / 9.80665, torque = 0.5 * mu * W * c;
-    static const sp_real foot[3][3] = { { R(-0.5), R(-0.4), 0 }, { R(0.6), R(-0.5), 0 }, { 0, R(0.5), 0 } };
     const sp_real slope[3] = { R(0.2), R(0.1), 1 };
-    const sp_strength rough = sp_strength_friction(R(0.5));
-    sp_real corner[24];
     sp_scene s = plate(c, mu, torque, 0);
-    memcpy(corner, s.vertex[0], sizeof corner);
-    const sp_mesh mesh = { 8, 6, corner, box_size, box_face };
-    CHECK_INT(sp_scene_block(&s, &mesh, 1, 0, NULL), SP_OK);
-    for (int k = 0; k < 3; k++) CHECK_INT(sp_scene_points(&s, 0, 2, slope, 1, foot[k], &rough, NULL), SP_OK);
+    rest_beside(&s, slope);
     const sp_strong_result x = ask(&s, NULL);
     CHECK_INT(x.kind, SP_STRONG_AMBIGUOUS);
     CHECK(x.plate);
@@ -380,22 +374,10 @@ TEST(no_start_moves_what_cases_prove_strong)
 /* The stool that spins, and a block that rests on a slope nearby: its laws are not asked along a slip that is rounding. */
 TEST(what_rests_does_not_hide_what_moves_beside_it)
 {
-    static const sp_real side[4][2] = { { R(-0.5), R(-0.4) }, { R(0.6), R(-0.5) }, { R(0.4), R(0.5) }, { R(-0.6), R(0.4) } };
-    const sp_strength rough = sp_strength_friction(R(0.5));
     const sp_real up[3] = { 0, 0, 1 }, slope[3] = { R(0.3), R(0.1), 1 };
     for (int beside = 0; beside < 3; beside++) {
         sp_scene s = stool(1, 2, 0.5, 0.75);
-        for (int b = 0; b < beside; b++) {
-            sp_real corner[24];
-            memcpy(corner, s.vertex[0], sizeof corner);
-            const sp_mesh mesh = { 8, 6, corner, box_size, box_face };
-            int32_t block;
-            CHECK_INT(sp_scene_block(&s, &mesh, 1, 0, &block), SP_OK);
-            for (int k = 0; k < 4; k++) {
-                const sp_real foot[3] = { side[k][0], side[k][1], 0 };
-                CHECK_INT(sp_scene_points(&s, 0, block, b ? up : slope, 1, foot, &rough, NULL), SP_OK);
-            }
-        }
+        for (int b = 0; b < beside; b++) rest_beside(&s, b ? up : slope);
         const sp_strong_result r = ask(&s, NULL);
         CHECK_INT(r.kind, SP_STRONG_AMBIGUOUS);
         CHECK(r.moves > R(0.1));
