@@ -2,7 +2,8 @@
 # footprint: what the library takes on a Cortex-M7 in double and on a Cortex-M4F in float, as CSV; built with -Os.
 #
 #     sh port/board/footprint.sh > port/board/footprint.csv      (make footprint)
-#     sh port/board/footprint.sh --compare                       is a row more than 2 % off the committed one, or gone, or new?
+#     sh port/board/footprint.sh --compare [whole]               is a row more than 2 % off the committed one, or gone, or new?
+#                                                                Whole: of builds that one switch leaves a part out of, too
 #
 #     text       bytes of code and constants: of all, of builds that leave parts out, of what a linker takes for a few calls
 #                (ld --gc-sections) out of the build before it, of each part: the functions of its file, those merged into
@@ -15,6 +16,7 @@ cd "$(dirname "$0")/../.." || exit 1
 out=build/footprint
 table=port/board/footprint.csv
 mkdir -p $out
+alone='SP_NO_QP SP_NO_CRA SP_NO_STRONG SP_NO_SLIDING SP_NO_IPM SP_NO_PLAN SP_NO_ADMM SP_NO_DYKSTRA SP_QP_NO_CG SP_QP_NO_POLISH SP_QP_NO_INTERIOR'
 flags='-std=c99 -Os -ffp-contract=off -fno-math-errno -mthumb -mfloat-abi=hard -ffunction-sections -fdata-sections'
 m7='-mcpu=cortex-m7 -mfpu=fpv5-d16'
 m4f='-mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -DSP_REAL_FLOAT'
@@ -24,7 +26,7 @@ compiler() { arm-none-eabi-gcc -dumpfullversion; }
 # A change of more than 2 % of a row, rows that only one of the tables has, calls that may take more than 1024 bytes of stack,
 # and smallest builds of more text than they may have.
 compare() {
-    awk -F '\t' '
+    awk -F '\t' -v left="$left" '
         function off(name, was, is,   d) {
             d = is > was ? is - was : was - is
             if (d <= 0.02 * was && (was == "") == (is == "")) return
@@ -52,6 +54,8 @@ compare() {
         /painted/ { for (k = n - 1; k <= n; k++) if (f[k] + 0 > bound[k]) { print key ": more than its bound"; bad = 1 } }
         /bound: sp_check/ { for (k = n - 1; k <= n; k++) bound[k] = f[k] + 0 }
         END {
+            n = split(left, f, " ")
+            for (k = 1; k <= n; k++) seen["text: " f[k]]        # not measured today
             for (key in m7) if (!(key in seen)) { print "row gone: " key; bad = 1 }
             if (bad) print "if it is meant to be so: make footprint"
             exit bad
@@ -136,9 +140,7 @@ all() {
     linked 'smallest check, interfaces given' sp_scene_create sp_scene_body sp_scene_joint sp_check sp_verify
     linked 'smallest check, contacts found' sp_scene_create sp_scene_block sp_contacts_find sp_check sp_verify
     linked 'smallest verification, interfaces given' sp_scene_create sp_scene_body sp_scene_joint sp_verify
-    for a_switch in SP_NO_QP SP_NO_CRA SP_NO_STRONG SP_NO_SLIDING SP_NO_IPM SP_NO_PLAN SP_NO_ADMM SP_NO_DYKSTRA SP_QP_NO_CG SP_QP_NO_POLISH SP_QP_NO_INTERIOR; do
-        build $a_switch -D$a_switch
-    done
+    for a_switch in $alone; do build $a_switch -D$a_switch; done
     build 'everything, SP_SMALL' -DSP_SMALL
     both -g -fcallgraph-info=su
     row 'text: all' "$(text m7)" "$(text m4f)"
@@ -160,6 +162,8 @@ all() {
 case ${1:-} in
 --compare)
     if ! grep -q "gcc $(compiler)\"" $table; then echo "another compiler than the table's: $(compiler)"; exit 0; fi
+    left=''
+    if [ "${2:-}" != whole ]; then left=$alone alone=''; fi
     all > $out/now.csv && compare ;;
 *) all ;;
 esac

@@ -3,6 +3,7 @@
 # run, and `N passed, N failed`.
 #
 #     STRICT=1     what could not be run counts as a failure
+#     WHOLE=1      builds that leave parts out meet every suite, not the quick ones, as by night
 #     ONLY=text    only groups whose names contain the text
 #
 # The groups run side by side, one per core, each as a process of its own with ONLY; what they print comes in their order.
@@ -27,7 +28,9 @@ host='-std=c99 -pedantic-errors -ffp-contract=off -fno-math-errno -Wall -Wextra 
  -Wwrite-strings -Werror'
 all=$(ls tests/*/test_*.c | sed 's|.*/test_\(.*\)\.c|\1|' | tr '\n' ' ')
 core=$(ls tests/*/test_*.c | grep -v tests/host/ | sed 's|.*/test_\(.*\)\.c|\1|')      # these need no program
-quick=$(echo "$core" | grep -vxE 'bracket|budget|coupled|exact|hard|islands|limit|plan|sequence|settle|spared')       # a fifth of the time of all
+slow='attack|bracket|budget|coupled|exact|hard|invariants|islands|large|limit|memory|place|plan|sequence|spared|spent|strength|strong'
+quick=$(echo "$core" | grep -vxE "$slow|settle")        # a third of the time of all
+if [ "${WHOLE:-}" ]; then wide=$core; else wide=$quick; fi
 stems() { for st in "$@"; do printf 'X(%s) ' "$st"; done; }
 suite_c() { for sc in "$@"; do ls tests/*/test_"$sc".c; done | tr '\n' ' '; }
 host_c="$(ls port/host/*.c port/host/*/*.c | grep -v /main.c | tr '\n' ' ') tests/scenes/gen.c"
@@ -89,9 +92,9 @@ without() {                                             # without GONE-REGEX FLA
 }
 tests_without() { tw_suites=$1; shift; tests_of "$tw_suites" stonepack.c -O1 "$CC" "$@"; }       # tests_without "SUITES" FLAGS...
 check_switches() {
-    no_qp=$(echo "$core" | grep -vxE 'qp|proximal|cg|ldl|ruiz')
-    no_ipm=$(echo "$core" | grep -vxE 'limit|bracket|sliding')
-    no_plan=$(echo "$core" | grep -vxE 'plan|map|spared')
+    no_qp=$(echo "$wide" | grep -vxE 'qp|proximal|cg|ldl|ruiz')
+    no_ipm=$(echo "$wide" | grep -vxE 'limit|bracket|sliding')
+    no_plan=$(echo "$wide" | grep -vxE 'plan|map|spared')
     part "SP_QP_ONLY: nothing of a stone left" without 'sp__?(scene|check|problem|dual|certificate|certify|matrix|seed|cone|support)' -DSP_QP_ONLY
     part "SP_NO_QP: no quadratic programs left" without 'sp_qp|sp__(qp|admm|program|dykstra|ldl|ruiz)' -DSP_NO_QP
     part "SP_NO_ADMM: no stage left" without 'sp__(admm_|program)|sp_settings_seed' -DSP_NO_ADMM
@@ -117,7 +120,7 @@ check_switches() {
         count "tests, SP_EXACT_ONLY $sw_real" tests_without 'small scene mesh joint contacts patch matrices closed verify near gen' -DSP_EXACT_ONLY $sw_real
     done
     count "tests, SP_SMALL, float" tests_without "$(cat tests/small/suites.txt)" -DSP_SMALL -DSP_REAL_FLOAT
-    # In double all, in float those near what is left out.
+    # In double the quick ones, by night all; in float those near what is left out.
     count "tests, SP_NO_QP" tests_without "$no_qp" -DSP_NO_QP
     count "tests, SP_NO_QP, float" tests_without 'admm stages custom fence coupled alternation' -DSP_NO_QP -DSP_REAL_FLOAT
     count "tests, SP_NO_IPM" tests_without "$no_ipm" -DSP_NO_IPM
@@ -126,7 +129,7 @@ check_switches() {
     count "tests, SP_NO_SLIDING" tests_without 'sliding strong limit memory verify' -DSP_NO_SLIDING
     count "tests, SP_NO_PLAN" tests_without "$no_plan" -DSP_NO_PLAN
     count "tests, SP_NO_PLAN, float" tests_without 'limit bracket memory budget verify' -DSP_NO_PLAN -DSP_REAL_FLOAT
-    count "tests, SP_NO_ADMM, SP_NO_DYKSTRA" tests_without "$core" -DSP_NO_ADMM -DSP_NO_DYKSTRA
+    count "tests, SP_NO_ADMM, SP_NO_DYKSTRA" tests_without "$wide" -DSP_NO_ADMM -DSP_NO_DYKSTRA
     count "tests, SP_NO_ADMM, SP_NO_DYKSTRA, float" tests_without 'admm dykstra qp stages custom settings alternation' -DSP_NO_ADMM -DSP_NO_DYKSTRA -DSP_REAL_FLOAT
 }
 check_combinations() { count "switches, alone and in pairs, three ways" sh tests/checks/switches.sh; }

@@ -39,7 +39,7 @@ static limits some(int round)
     k.C = (double)test_random_real(0.5, 2);
     k.T = k.C / k.mu * (double)test_random_real(0, 1);
     k.N = (double)test_random_real(3, 9);
-    k.cap = round % 3 ? (double)test_random_real(0.5, 3) : 1000;
+    k.cap = round % 5 ? (double)test_random_real(0.5, 3) : 1000;
     k.faces = cones[round % 6];
     return k;
 }
@@ -304,6 +304,31 @@ TEST(of_motions_with_smaller_ones_held_the_best_is_taken)
         }
 }
 
+/* A block that moves 1e-13 of the largest motion, under a load that makes it count; then under none, where to hold it changes no
+ * value: of equal proofs the first is left, which holds nothing. */
+TEST(a_proof_holds_no_block_but_for_a_better_one)
+{
+    for (int counts = 0; counts < 2; counts++) {
+        const sp_arena mark = test_arena;
+        const double small = counts ? 1e-13 : 1e-20;
+        one_block o;
+        sp_real dq[18];
+        int32_t final;
+        NEED(row(&o, 0));
+        memset(dq, 0, sizeof dq);
+        memset(o.pb.p, 0, 18 * sizeof *o.pb.p);
+        dq[1] = 1;
+        o.pb.p[1] = o.j.unit;
+        dq[7] = R(small);
+        o.pb.p[7] = o.j.unit * R(counts ? 10 / small : 0);
+        const double alone = (double)sp__certify_motion(&o.j, dq, R(0.1), &final);
+        CHECK_WITHIN((double)sp__certify_mechanism(&o.j, dq, &final), alone * (counts ? 11 : 1), TOL(1e-11, 1e-4) * alone);
+        CHECK_NEAR(o.j.dual.motion[7], small, TOL(1e-15, 1e-6));
+        CHECK_INT(final, 1);
+        test_arena = mark;
+    }
+}
+
 /* Two blocks at rest, one pressed into its ground: no proof, whatever is held. */
 TEST(a_resisted_motion_among_blocks_at_rest_is_no_proof)
 {
@@ -356,6 +381,7 @@ TEST_LIST(forces)
     RUN(a_corner_resists_from_what_rounding_of_both_motions_may_be)
     RUN(as_many_blocks_are_held_as_move_no_more_than_rest)
     RUN(of_motions_with_smaller_ones_held_the_best_is_taken)
+    RUN(a_proof_holds_no_block_but_for_a_better_one)
     RUN(a_resisted_motion_among_blocks_at_rest_is_no_proof)
     RUN(a_motion_is_written_at_the_size_of_its_blocks)
 TEST_END

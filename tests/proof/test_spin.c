@@ -76,6 +76,25 @@ TEST(without_edges_the_length_is_the_mean_arm_of_joints)
     CHECK_NEAR(sp__mean_edge(&pb), 1, 0);
 }
 
+/* Edges that are .12 together, arms that are .3: small scenes are as large ones. */
+TEST(lengths_of_small_scenes_are_small)
+{
+    static const double three[3][3] = { { 0, 0, 0 }, { 0.03, 0, 0 }, { 0, 0.04, 0 } }, c[3] = { 0, 0, 1 };
+    const sp_arena mark = test_arena;
+    NEED(begin(c, 1));
+    NEED(joint(3, three[0]) && build());
+    CHECK_NEAR(sp__mean_edge(&pb), 0.04, TOL(1e-14, 1e-6));
+    test_arena = mark;
+    NEED(begin(c, 1));
+    NEED(joint(1, three[0]) && joint(1, three[1]) && joint(1, three[2]) && build());
+    for (int q = 0; q < 3; q++) {
+        memset(pb.contact[q].ra, 0, sizeof pb.contact[q].ra);
+        memset(pb.contact[q].rb, 0, sizeof pb.contact[q].rb);
+        pb.contact[q].rb[q] = R(0.2);
+    }
+    CHECK_NEAR(sp__mean_edge(&pb), 0.1, TOL(1e-14, 1e-6));
+}
+
 /* eps, eta; < 0 and 0: 1e-4 of an edge, 100 eps; without eps 1e-2 of an edge. Lengths count in eps, or in eta where that is 0. */
 TEST(lengths_are_counted_in_eps_or_where_that_is_0_in_eta)
 {
@@ -158,6 +177,7 @@ TEST(a_point_off_the_line_one_point_alone_or_a_held_turn_leave_no_spin)
         NEED(begin(c, 1));
         NEED(joint(2, along[0]) && build());
         NEED(CHECK_INT(sp__certifier_free_spin(&j, 0, k), 1));
+        if (held > 2) j.scale[0].wm = 10;               /* however little of it is a turn */
         scene.block[1].fixed = 1u << held;
         CHECK_INT(sp__certifier_free_spin(&j, 0, k), held != 3);
         scene.block[1].fixed = 0;
@@ -209,16 +229,78 @@ TEST(a_motion_without_its_spin_is_across_it_and_else_as_it_was)
     }
 }
 
+/* Two blocks on a line of points each, one rises, the other spins about its line: the spin is not judged up to
+ * SP_EXACT_POINTS points, and is beyond. */
+TEST(a_spin_is_not_judged_where_there_are_proofs)
+{
+    const sp_strength rough = sp_strength_friction(R(0.5));
+    const sp_real ground[3] = { 0, 0, -9 }, n[3] = { 0, 0, 1 };
+    static const double rises[12] = { 0, 0, 0.5, 0, 0, 0,  0, -1, 0, 1, 0, 0 };
+    for (int32_t points = SP_EXACT_POINTS; points <= SP_EXACT_POINTS + 1; points++) {
+        const sp_capacity room = { 3, 0, 0, 0, 2, SP_EXACT_POINTS + 1, 0 };
+        const sp_arena mark = test_arena;
+        const int few = points == SP_EXACT_POINTS;
+        sp_real x[3 * (SP_EXACT_POINTS + 1)], none[3 * (SP_EXACT_POINTS + 1)], dq[12];
+        memset(none, 0, sizeof none);
+        memset(&set, 0, sizeof set);
+        set.tol = R(TOL(1e-9, 1e-4f));
+        set.force_bound = 100;
+        set.coupled.eps = set.coupled.eta = 1;
+        NEED(CHECK_INT(sp_scene_create(&scene, &room, &test_arena), SP_OK));
+        NEED(CHECK_INT(sp_scene_body(&scene, 0, ground, SP_FIXED, NULL), SP_OK));
+        for (int32_t b = 1, rest = points; b < 3; b++) {
+            const sp_real at[3] = { 1, R(5 * b), 1 };
+            const int32_t here = b < 2 ? SP_EXACT_POINTS / 2 : rest;
+            for (int32_t v = 0; v < here; v++) { x[3 * v] = R(0.25 * v); x[3 * v + 1] = R(5 * b); x[3 * v + 2] = 0; }
+            NEED(CHECK_INT(sp_scene_body(&scene, 1, at, 0, NULL), SP_OK));
+            NEED(CHECK_INT(sp_scene_points(&scene, 0, b, n, here, x, &rough, NULL), SP_OK));
+            rest -= here;
+        }
+        NEED(build());
+        for (int q = 0; q < 12; q++) dq[q] = R(rises[q]);
+        const sp__lengths k = sp__coupled_lengths(&pb, &set);
+        CHECK_NEAR(sp__certify_coupled(&j, &k, none, dq, none), 0, 0);
+        for (int q = 0; q < 12; q++) CHECK_WITHIN(j.dual.motion[q], q < 6 || !few ? rises[q] : 0, TOL(1e-14, 1e-6));
+        test_arena = mark;
+    }
+}
+
+/* One point of a block at rest: friction of less than tol s need not slip. As it slides: a force beyond the cone is judged by what
+ * of it is within, which slip and factor give. */
+TEST(friction_is_judged_above_tol_and_within_the_cone)
+{
+    static const double x[3] = { 0, 0, 0 }, c[3] = { 0, 0, 0 };
+    const sp_real rest[6] = { 0, 0, 0, 0, 0, 0 }, slides[6] = { R(0.15), R(-0.2), 0, 0, 0, 0 };
+    NEED(begin(c, 1));
+    NEED(joint(1, x) && build());
+    set.coupled.eps = 0;
+    set.coupled.eta = 1;
+    j.scale[0].s = 7;
+    const sp__lengths k = sp__coupled_lengths(&pb, &set);
+    for (int more = 0; more < 2; more++) {
+        const sp_real f[3] = { j.unit, j.unit * set.tol * R(more ? 7.1 : 6.9), 0 }, alpha[1] = { 0 };
+        CHECK((sp__certify_coupled(&j, &k, f, rest, alpha) > 1) == more);
+    }
+    sp_real d[3];
+    memcpy(j.dual.motion, slides, sizeof slides);
+    sp__certifier_rate_at(&j, pb.contact, pb.contact[0].point, d);
+    const sp_real f[3] = { j.unit, -4 * d[1] * j.unit, -4 * d[2] * j.unit }, alpha[1] = { 2 * j.unit };    /* |ft| = 1, in the cone 1/2 */
+    CHECK(sp__certify_coupled(&j, &k, f, slides, alpha) < R(0.1));
+}
+
 #endif
 
 TEST_LIST(spin)
 #if SP__WITH_COUPLED
     RUN(the_mean_edge_is_that_of_polygons_all_around_and_of_lines_once)
     RUN(without_edges_the_length_is_the_mean_arm_of_joints)
+    RUN(lengths_of_small_scenes_are_small)
     RUN(lengths_are_counted_in_eps_or_where_that_is_0_in_eta)
     RUN(the_spin_about_a_line_of_contacts_moves_none_of_them_and_is_one)
     RUN(a_point_off_the_line_one_point_alone_or_a_held_turn_leave_no_spin)
     RUN(a_point_is_on_the_line_to_the_last_digits)
     RUN(a_motion_without_its_spin_is_across_it_and_else_as_it_was)
+    RUN(a_spin_is_not_judged_where_there_are_proofs)
+    RUN(friction_is_judged_above_tol_and_within_the_cone)
 #endif
 TEST_END
