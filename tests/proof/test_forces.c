@@ -270,6 +270,15 @@ TEST(as_many_blocks_are_held_as_move_no_more_than_rest)
     CHECK_NEAR(o.j.dual.motion[13], 0, 0);
 }
 
+/* The first block moves by 1 along y, under one unit of load there; nothing else moves or is loaded. */
+static void first_moves(one_block *o, sp_real dq[18])
+{
+    memset(dq, 0, 18 * sizeof *dq);
+    memset(o->pb.p, 0, 18 * sizeof *o->pb.p);
+    dq[1] = 1;
+    o->pb.p[1] = o->j.unit;
+}
+
 /* Work 1 of the first block and what the second adds or takes with its 1e-10: with it where that is more. */
 TEST(of_motions_with_smaller_ones_held_the_best_is_taken)
 {
@@ -281,10 +290,7 @@ TEST(of_motions_with_smaller_ones_held_the_best_is_taken)
             sp_real dq[18], scale;
             int32_t final, whole;
             NEED(row(&o, 0));
-            memset(dq, 0, sizeof dq);
-            memset(o.pb.p, 0, 18 * sizeof *o.pb.p);
-            dq[1] = 1;
-            o.pb.p[1] = o.j.unit;
+            first_moves(&o, dq);
             dq[7] = R(small);
             o.pb.p[7] = o.j.unit * R(gains ? 1000 : -1000);
             if (presses) dq[0] = dq[6] = dq[12] = R(small);     /* away from the ground together: what is held is pressed */
@@ -315,10 +321,7 @@ TEST(a_proof_holds_no_block_but_for_a_better_one)
         sp_real dq[18];
         int32_t final;
         NEED(row(&o, 0));
-        memset(dq, 0, sizeof dq);
-        memset(o.pb.p, 0, 18 * sizeof *o.pb.p);
-        dq[1] = 1;
-        o.pb.p[1] = o.j.unit;
+        first_moves(&o, dq);
         dq[7] = R(small);
         o.pb.p[7] = o.j.unit * R(counts ? 10 / small : 0);
         const double alone = (double)sp__certify_motion(&o.j, dq, R(0.1), &final);
