@@ -224,6 +224,54 @@ TEST(a_slide_is_told_by_its_violations_and_the_share_of_work_of_its_loads)
 
 #endif
 
+/* What is beyond the cone is shortened before it is judged, in the sums, too. */
+TEST(a_force_beyond_its_cone_is_judged_by_what_is_within)
+{
+    for (int round = 0; round < 10; round++) {
+        const sp_arena mark = test_arena;
+        scene_at_work o;
+        sp_real within[3 * CORNERS], g[3];
+        NEED(make(&o, 0));
+        for (int k = 0; k < 3 * CORNERS; k++) if (k % 3) o.f[k] *= 10;
+        for (int32_t v = 0; v < CORNERS; v++) {
+            o.j.force_cap = sp__certifier_force_cap(&o.j, &o.pb.contact[v / 3]);
+            sp__to_units(o.j.unit, 3, o.f + 3 * v, g);
+            sp__certifier_make_admissible(&o.j, &o.pb.contact[v / 3], g, g);
+            sp__to_newtons(o.j.unit, 3, g, within + 3 * v);
+        }
+        const double want = (double)sp__moving_contacts(&o.j, within, o.a, 0);
+        CHECK_NEAR(sp__moving_contacts(&o.j, o.f, o.a, 0), want, TOL(1e-12, 1e-5));
+        test_arena = mark;
+    }
+}
+
+/* Corners that share F = -mu N w / |w|, w = sum fn d / N, as they share N violate nothing. */
+TEST(friction_that_is_one_force_at_the_centre_of_pressure_meets_the_laws)
+{
+    for (int round = 0; round < 20; round++) {
+        const sp_arena mark = test_arena;
+        const double scale = round % 2 ? 1 : 0.01;
+        scene_at_work o;
+        NEED(make(&o, 0));
+        for (int c = 0; c < BLOCKS; c++) {
+            const sp_contact *t = &o.pb.contact[c];
+            double w[3] = { 0, 0, 0 };
+            sp_real d[3], g[3];
+            o.j.force_cap = sp__certifier_force_cap(&o.j, t);
+            for (int v = 3 * c; v < 3 * c + 3; v++) {
+                o.f[3 * v] *= R(scale);
+                sp__moving_read(&o.j, t, v, o.f, o.a, g, d);
+                for (int k = 1; k < 3; k++) w[k] += (double)o.f[3 * v] * (double)d[k];
+            }
+            const double mu = (double)t->joint->strength.mu, size = hypot(w[1], w[2]);
+            for (int v = 3 * c; v < 3 * c + 3; v++)
+                for (int k = 1; k < 3; k++) o.f[3 * v + k] = R(-mu * (double)o.f[3 * v] * w[k] / size);
+            CHECK(sp__moving_gathered(&o.j, t, o.f, o.a, R(scale), 1) < TOL(1e-12, 1e-4));
+        }
+        test_arena = mark;
+    }
+}
+
 TEST_LIST(moving)
 #if SP__WITH_STRONG && SP__WITH_SLIDING
     RUN(a_corner_violates_by_its_gap_by_pressure_that_opens_or_by_friction_not_against_its_slip)
@@ -231,5 +279,7 @@ TEST_LIST(moving)
     RUN(what_a_block_of_some_mass_leaves_unbalanced_is_told)
     RUN(pressure_is_the_forces_without_friction_and_without_pull)
     RUN(a_slide_is_told_by_its_violations_and_the_share_of_work_of_its_loads)
+    RUN(a_force_beyond_its_cone_is_judged_by_what_is_within)
+    RUN(friction_that_is_one_force_at_the_centre_of_pressure_meets_the_laws)
 #endif
 TEST_END
