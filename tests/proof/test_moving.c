@@ -245,6 +245,22 @@ TEST(a_force_beyond_its_cone_is_judged_by_what_is_within)
     }
 }
 
+/* Friction of contact c: -mu N w / |w|, w = sum fn d / N, shared by its corners as they share N. */
+static void share(scene_at_work *o, int c)
+{
+    const sp_contact *t = &o->pb.contact[c];
+    double w[3] = { 0, 0, 0 };
+    sp_real d[3], g[3];
+    o->j.force_cap = sp__certifier_force_cap(&o->j, t);
+    for (int v = 3 * c; v < 3 * c + 3; v++) {
+        sp__moving_read(&o->j, t, v, o->f, o->a, g, d);
+        for (int k = 1; k < 3; k++) w[k] += (double)o->f[3 * v] * (double)d[k];
+    }
+    const double mu = (double)t->joint->strength.mu, size = hypot(w[1], w[2]);
+    for (int v = 3 * c; v < 3 * c + 3; v++)
+        for (int k = 1; k < 3; k++) o->f[3 * v + k] = R(-mu * (double)o->f[3 * v] * w[k] / size);
+}
+
 /* Corners that share F = -mu N w / |w|, w = sum fn d / N, as they share N violate nothing. */
 TEST(friction_that_is_one_force_at_the_centre_of_pressure_meets_the_laws)
 {
@@ -255,21 +271,63 @@ TEST(friction_that_is_one_force_at_the_centre_of_pressure_meets_the_laws)
         NEED(make(&o, 0));
         for (int c = 0; c < BLOCKS; c++) {
             const sp_contact *t = &o.pb.contact[c];
-            double w[3] = { 0, 0, 0 };
-            sp_real d[3], g[3];
-            o.j.force_cap = sp__certifier_force_cap(&o.j, t);
-            for (int v = 3 * c; v < 3 * c + 3; v++) {
-                o.f[3 * v] *= R(scale);
-                sp__moving_read(&o.j, t, v, o.f, o.a, g, d);
-                for (int k = 1; k < 3; k++) w[k] += (double)o.f[3 * v] * (double)d[k];
-            }
-            const double mu = (double)t->joint->strength.mu, size = hypot(w[1], w[2]);
-            for (int v = 3 * c; v < 3 * c + 3; v++)
-                for (int k = 1; k < 3; k++) o.f[3 * v + k] = R(-mu * (double)o.f[3 * v] * w[k] / size);
+            for (int v = 3 * c; v < 3 * c + 3; v++) o.f[3 * v] *= R(scale);
+            share(&o, c);
             CHECK(sp__moving_gathered(&o.j, t, o.f, o.a, R(scale), 1) < TOL(1e-12, 1e-4));
         }
         test_arena = mark;
     }
+}
+
+/* F = sum f, w = sum fn d / N: friction of F against w, and what corners do not share as they share N; nothing without pressure.
+ * Where plates are meant it counts if it is less. */
+TEST(friction_of_plates_is_judged_as_one_force_where_that_is_better)
+{
+    int better = 0;
+    for (int round = 0; round < 60; round++) {
+        const sp_arena mark = test_arena;
+        scene_at_work o;
+        NEED(make(&o, 0));
+        for (int v = 0; v < CORNERS && round % 2; v++) for (int k = 1; k < 3; k++) o.f[3 * v + k] = R(0.2 * k) * o.f[3 * v];
+        sp__moving_sums(&o.j, o.f);
+        for (int c = 0; c < BLOCKS; c++) {
+            const sp_contact *t = &o.pb.contact[c];
+            if (round % 4 > 1) {                        /* along the joint alone */
+                memset(o.a, 0, sizeof o.a);
+                for (int k = 0; k < 3; k++) {
+                    o.a[6 * t->b + k] = t->joint->t1[k] + t->joint->t2[k];
+                    o.a[6 * t->b + 3 + k] = R(0.3) * t->joint->n[k];
+                }
+                share(&o, c);
+                sp__moving_sums(&o.j, o.f);
+            }
+            const sp_real mu = t->joint->strength.mu, moved = R(size_of(&o, t->a) + size_of(&o, t->b));
+            const sp_real s = sp__least_of_blocks(t, o.j.pass.sums, 2);
+            double F[3] = { 0, 0, 0 }, w[3] = { 0, 0, 0 }, uneven = 0, gap = 0, rub = 0;
+            sp_real g[3][3], d[3][3];
+            o.j.force_cap = sp__certifier_force_cap(&o.j, t);
+            for (int v = 0; v < 3; v++) {
+                sp__moving_read(&o.j, t, 3 * c + v, o.f, o.a, g[v], d[v]);
+                for (int k = 0; k < 3; k++) { F[k] += (double)g[v][k]; w[k] += (double)g[v][0] * (double)d[v][k]; }
+                gap = fmax(gap, (double)sp__moving_gap(g[v], d[v], s, moved));
+                rub = fmax(rub, (double)sp__moving_rub(g[v], d[v], mu, s, moved));
+            }
+            for (int v = 0; v < 3; v++) {
+                const double b[2] = { (double)(g[v][1] - g[v][0] * R(F[1] / F[0])), (double)(g[v][2] - g[v][0] * R(F[2] / F[0])) };
+                uneven += hypot(b[0], b[1]);
+            }
+            const double slip = hypot(w[1], w[2]) / F[0], x = F[1] * slip + (double)mu * w[1], y = F[2] * slip + (double)mu * w[2];
+            const double want = fmax(hypot(x, y) / (double)(s * moved), uneven / (double)s);
+            CHECK_WITHIN(sp__moving_gathered(&o.j, t, o.f, o.a, s, moved), want, TOL(1e-12, 1e-4));
+            CHECK_WITHIN(sp__moving_joint(&o.j, t, o.f, o.a, 0), fmax(gap, rub), TOL(1e-12, 1e-4));
+            CHECK_WITHIN(sp__moving_joint(&o.j, t, o.f, o.a, 1), fmax(gap, fmin(rub, want)), TOL(1e-12, 1e-4));
+            better += gap < rub && want < rub;
+        }
+        memset(o.f, 0, sizeof o.f);
+        CHECK_NEAR(sp__moving_gathered(&o.j, &o.pb.contact[0], o.f, o.a, 1, 1), 0, 0);
+        test_arena = mark;
+    }
+    CHECK(better > 5);
 }
 
 TEST_LIST(moving)
@@ -280,6 +338,7 @@ TEST_LIST(moving)
     RUN(pressure_is_the_forces_without_friction_and_without_pull)
     RUN(a_slide_is_told_by_its_violations_and_the_share_of_work_of_its_loads)
     RUN(a_force_beyond_its_cone_is_judged_by_what_is_within)
+    RUN(friction_of_plates_is_judged_as_one_force_where_that_is_better)
     RUN(friction_that_is_one_force_at_the_centre_of_pressure_meets_the_laws)
 #endif
 TEST_END
