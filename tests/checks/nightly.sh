@@ -106,10 +106,11 @@ else skip "campaigns of any bytes" clang; fi
 if have frama-c; then line "Frama-C Eva: arena, indices, kernels, certificate check" sh tests/eva/eva.sh
 else skip "Frama-C Eva" frama-c-base; fi
 line "gcc -fanalyzer, as far as it gets" sh tests/checks/analyze.sh gcc '' -DSP_SMALL -DSP_EXACT_ONLY
-line "builds that leave parts out: every suite" env WHOLE=1 ONLY=switches sh tests/checks/check.sh
-if have qemu-system-arm; then line "footprint: every row" sh port/board/footprint.sh --compare whole; fi
-if have qemu-system-arm; then line "boards: all tests on all of them" sh port/board/boards.sh
-else skip "boards" "qemu-system-arm"; fi
+line "builds that leave parts out: every suite" env EVERY=1 ONLY=switches sh tests/checks/check.sh
+if have qemu-system-arm; then
+    line "footprint: every row" sh port/board/footprint.sh --compare whole
+    line "boards: all tests on all of them" sh port/board/boards.sh
+else skip "footprint, boards" "qemu-system-arm"; fi
 
 if [ $((passed + failed)) -eq 0 ] && [ -z "$skipped" ]; then
     echo "no line of nightly is called ${ONLY:-}"

@@ -222,8 +222,6 @@ TEST(a_slide_is_told_by_its_violations_and_the_share_of_work_of_its_loads)
     }
 }
 
-#endif
-
 /* What is beyond the cone is shortened before it is judged, in the sums, too. */
 TEST(a_force_beyond_its_cone_is_judged_by_what_is_within)
 {
@@ -279,8 +277,21 @@ TEST(friction_that_is_one_force_at_the_centre_of_pressure_meets_the_laws)
     }
 }
 
-/* F = sum f, w = sum fn d / N: friction of F against w, and what corners do not share as they share N; nothing without pressure.
- * Where plates are meant it counts if it is less. */
+/* F = sum f, w = sum fn d / N: the larger of friction of F that is not against w, and of what corners do not share as N. */
+static double as_one_force(sp_real g[3][3], sp_real d[3][3], double mu, double s, double moved)
+{
+    double F[3] = { 0, 0, 0 }, w[3] = { 0, 0, 0 }, uneven = 0;
+    for (int v = 0; v < 3; v++)
+        for (int k = 0; k < 3; k++) { F[k] += (double)g[v][k]; w[k] += (double)g[v][0] * (double)d[v][k]; }
+    for (int v = 0; v < 3; v++) {
+        const double fn = (double)g[v][0];
+        uneven += hypot((double)g[v][1] - fn * F[1] / F[0], (double)g[v][2] - fn * F[2] / F[0]);
+    }
+    const double slip = hypot(w[1], w[2]) / F[0], rub = hypot(F[1] * slip + mu * w[1], F[2] * slip + mu * w[2]);
+    return fmax(rub / (s * moved), uneven / s);
+}
+
+/* By its formula; where plates are meant it counts if it is less; without pressure there is none. */
 TEST(friction_of_plates_is_judged_as_one_force_where_that_is_better)
 {
     int better = 0;
@@ -303,21 +314,15 @@ TEST(friction_of_plates_is_judged_as_one_force_where_that_is_better)
             }
             const sp_real mu = t->joint->strength.mu, moved = R(size_of(&o, t->a) + size_of(&o, t->b));
             const sp_real s = sp__least_of_blocks(t, o.j.pass.sums, 2);
-            double F[3] = { 0, 0, 0 }, w[3] = { 0, 0, 0 }, uneven = 0, gap = 0, rub = 0;
+            double gap = 0, rub = 0;
             sp_real g[3][3], d[3][3];
             o.j.force_cap = sp__certifier_force_cap(&o.j, t);
             for (int v = 0; v < 3; v++) {
                 sp__moving_read(&o.j, t, 3 * c + v, o.f, o.a, g[v], d[v]);
-                for (int k = 0; k < 3; k++) { F[k] += (double)g[v][k]; w[k] += (double)g[v][0] * (double)d[v][k]; }
                 gap = fmax(gap, (double)sp__moving_gap(g[v], d[v], s, moved));
                 rub = fmax(rub, (double)sp__moving_rub(g[v], d[v], mu, s, moved));
             }
-            for (int v = 0; v < 3; v++) {
-                const double b[2] = { (double)(g[v][1] - g[v][0] * R(F[1] / F[0])), (double)(g[v][2] - g[v][0] * R(F[2] / F[0])) };
-                uneven += hypot(b[0], b[1]);
-            }
-            const double slip = hypot(w[1], w[2]) / F[0], x = F[1] * slip + (double)mu * w[1], y = F[2] * slip + (double)mu * w[2];
-            const double want = fmax(hypot(x, y) / (double)(s * moved), uneven / (double)s);
+            const double want = as_one_force(g, d, (double)mu, (double)s, (double)moved);
             CHECK_WITHIN(sp__moving_gathered(&o.j, t, o.f, o.a, s, moved), want, TOL(1e-12, 1e-4));
             CHECK_WITHIN(sp__moving_joint(&o.j, t, o.f, o.a, 0), fmax(gap, rub), TOL(1e-12, 1e-4));
             CHECK_WITHIN(sp__moving_joint(&o.j, t, o.f, o.a, 1), fmax(gap, fmin(rub, want)), TOL(1e-12, 1e-4));
@@ -329,6 +334,8 @@ TEST(friction_of_plates_is_judged_as_one_force_where_that_is_better)
     }
     CHECK(better > 5);
 }
+
+#endif
 
 TEST_LIST(moving)
 #if SP__WITH_STRONG && SP__WITH_SLIDING
