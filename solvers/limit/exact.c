@@ -138,11 +138,11 @@ static int sp__engine_falls(sp__bracket *b, sp_real lambda, int *beyond)
     return *beyond || sp__bracket_falls(b, lambda, 0, NULL);
 }
 
-/* Forces f carry a large multiple lambda, so dead loads have a small share in them. Do they balance the live loads alone
- * once the tiny ones are dropped?     returns 1: f does */
+/* Forces f carry a large multiple lambda, so dead loads have a small share in them, ref / lambda. Do they balance live loads
+ * alone once what is much less than those is dropped?     returns 1: f does */
 SP__NOINLINE static int sp__engine_unbounded(sp__bracket *b, sp_real *f, sp_real lambda, sp_real ref)
 {
-    sp__drop_tiny_forces(f, b->pb.points, 100 * ref / lambda);
+    sp__drop_tiny_forces(f, b->pb.points, SP_SQRT(ref / lambda));
     for (size_t k = 0; k < 3 * (size_t)b->pb.points; k++) f[k] /= lambda;
     return sp__bracket_stands(b, 0, 1, f, f);
 }

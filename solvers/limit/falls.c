@@ -29,8 +29,8 @@ SP__NOINLINE static int sp__bracket_resists(sp__bracket *b, sp_real lambda)
 SP__NOINLINE static int sp__bracket_falls(sp__bracket *b, sp_real lambda, int beyond, sp_real *all)
 {
     const size_t bytes = 6 * (size_t)b->pb.blocks * sizeof *b->dq;
-    sp_real value[6] = { 0, 0, 0, 0, 0, 0 };
-    int32_t final[6] = { 0, 0, 0, 0, 0, 0 };
+    sp_real value[6] = { 0 };
+    int32_t final[6] = { 0 };
     memcpy(b->whole, b->dq, bytes);
     for (int pass = 0; pass < 7; pass++) {
         sp__certifier *j = &b->certifier;

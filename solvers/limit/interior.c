@@ -309,9 +309,7 @@ static int sp__interior_lower(sp__limit *L, sp_real share)
     if (!L->none && L->r.lower >= 0 && L->best - L->r.lower / L->ref <= width) return 1;
     if (L->none || (g->h.m.theta > share * g->h.m.tau && sp__abs(L->best - l) > width) || a * L->ref <= L->r.lower) return 0;
     if (!sp__limit_forces(L, 1, a, g->h.m.tau, L->r.ray)) return 0;
-    L->r.lower = a * L->ref;
-    L->r.imbalance = L->bracket.imbalance;
-    memcpy(L->r.f, L->r.ray, 3 * (size_t)L->bracket.pb.points * sizeof *L->r.f);
+    sp__limit_carried(L, a * L->ref, L->r.ray);
     return sp__abs(L->best - a) <= width;
 }
 

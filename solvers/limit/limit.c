@@ -9,6 +9,8 @@
 #if SP__WITH_LIMIT
 
 #define SP__LIMIT_ROUNDS (SP__WITH_SMALL ? 10 : 8)       /* slacks that are tried, each twice the last */
+#define SP__LIMIT_ROUNDS_STRONG 14      /* where joints have strength: tol may blur the limit by more */
+#define SP__LIMIT_ENDLESS 5             /* multiples, each 16 times the last, that are tried where there seems to be no end */
 #define SP__LIMIT_SLACK ((sp_real)0.01) /* what tol adds to a motion's balance may widen it by no more, in ref */
 
 /* Is lambda proved for an upper end, by the motion at hand? */
@@ -37,31 +39,62 @@ static int sp__limit_upper_fell(sp__limit *L, sp_real next)
     memcpy(L->bracket.dq, L->upper, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->upper);
     return sp__limit_upper_at(L, at * L->ref);
 }
-#else
-static int sp__limit_upper_fell(sp__limit *L, sp_real next) { (void)L; (void)next; return 0; }
-#endif
 
-/* The upper end: the least multiple that the motion at hand proves, or that of the engine there: once of the exact
- * stage, whose motion is as good as it gets, again and again of the smallest search; at most where that motion was proved
- * before. */
-SP__NOINLINE static void sp__limit_upper(sp__limit *L)
+/* A large multiple is carried: do the forces of much larger ones, in which dead loads have next to no share, balance live loads
+ * alone? Where joints have strength: a question about live loads alone leaves most blocks without load, and may stay open. */
+SP__NOINLINE static void sp__limit_endless(sp__limit *L)
 {
     sp_limit_result *r = &L->r;
+    sp_real a = r->lower / L->ref;
+    if (L->none || r->kind || !(a > SP__LIMIT_FAR) || !sp__limit_strong(L)) return;
+    for (int it = 0; it < SP__LIMIT_ENDLESS && !r->kind && sp__engine_may_ask(&L->engine, &L->bracket); it++) {
+        a *= 16;
+        if (sp__limit_ask(L, 1, a, r->ray) != SP_STABLE) return;
+        sp__limit_carried(L, a * L->ref, r->ray);
+        if (sp__engine_unbounded(&L->bracket, r->ray, r->lower, L->ref)) r->kind = SP_LIMIT_UNBOUNDED;
+    }
+}
+#else
+static int sp__limit_upper_fell(sp__limit *L, sp_real next) { (void)L; (void)next; return 0; }
+static void sp__limit_endless(sp__limit *L) { (void)L; }
+#endif
+
+/* The engine at lambda, for the motion of the upper end; forces that carry it are a lower end. */
+static void sp__limit_upper_ask(sp__limit *L, sp_real lambda, int strong)
+{
+    const sp_verdict claim = sp__limit_ask(L, 1, lambda / L->ref, L->r.ray);
+    if (strong && claim == SP_STABLE && lambda > L->r.lower) sp__limit_carried(L, lambda, L->r.ray);
+}
+
+/* The upper end: the least multiple that the motion at hand proves, or that of the engine there: once of the exact
+ * stage, whose motion is as good as it gets, again and again of the smallest search and where joints have strength; at most
+ * where that motion was proved before. */
+SP__NOINLINE static void sp__limit_upper(sp__limit *L)
+{
+    const int strong = sp__limit_strong(L), again = SP__WITH_SMALL || strong;
     sp_real slack = sp__max(SP__WITH_INTERIOR ? L->slack : 0, L->bracket.set.tol * (1 + sp__abs(L->best))) * (sp_real)1.5;
-    for (int it = 0; it < SP__LIMIT_ROUNDS; it++, slack *= 2) {
+    for (int it = 0; it < (strong ? SP__LIMIT_ROUNDS_STRONG : SP__LIMIT_ROUNDS); it++, slack *= 2) {
         if (sp__limit_upper_fell(L, L->best + slack)) return;
         const sp_real lambda = L->none ? 0 : sp__max(0, L->best + slack) * L->ref;
-        if ((it == 2 || (SP__WITH_SMALL && it > 2)) && !L->none) sp__limit_ask(L, 1, L->best + slack, r->ray);
+        if ((it == 2 || (again && it > 2)) && !L->none) sp__limit_upper_ask(L, lambda, strong);
         if (sp__limit_upper_at(L, lambda)) return;
     }
     sp__limit_upper_fell(L, SP__HUGE);
+}
+
+/* What tol forgives forces at the upper end, by the power of its mechanism, in ref. */
+static sp_real sp__limit_forgiven(const sp__limit *L)
+{
+    const sp_limit_result *r = &L->r;
+    return r->upper < 0 ? 0 : r->tol * sp__ratio(r->upper / L->ref - sp__limit_balance(L), r->least_imbalance);
 }
 
 /* The result that both ends of the bracket give. */
 static void sp__limit_conclude(sp__limit *L)
 {
     sp_limit_result *r = &L->r;
-    const sp_real slack = !SP__WITH_INTERIOR ? 0 : L->slack < SP__LIMIT_SLACK ? L->slack : SP__LIMIT_SLACK;
+    const sp_real most = sp__max(L->slack, sp__limit_forgiven(L));
+    const sp_real slack = !SP__WITH_INTERIOR ? 0 : most < SP__LIMIT_SLACK ? most : SP__LIMIT_SLACK;
     const sp_real wide = SP__LIMIT_WIDE * r->tol * (sp__abs(r->lower) + L->ref) + 4 * slack * L->ref;
     const int never = L->none || (r->lower < 0 && !(r->upper > 0));
     if (never) r->kind = r->upper < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_NONE;
@@ -100,11 +133,7 @@ SP__NOINLINE static void sp__limit_lowest(sp__limit *L)
         if (claim == SP_STABLE) {
             r->lowest = a * L->ref;
             if (!it) r->dead = SP_STABLE;
-            if (SP__WITH_INTERIOR && r->kind == SP_LIMIT_UNBOUNDED) {
-                r->lower = r->lowest;                   /* every multiple from there on */
-                r->imbalance = b->imbalance;
-                memcpy(r->f, L->f, 3 * (size_t)b->pb.points * sizeof *r->f);
-            }
+            if (SP__WITH_INTERIOR && r->kind == SP_LIMIT_UNBOUNDED) sp__limit_carried(L, r->lowest, L->f);  /* from there on */
             if (!strong || !it || o.open < a || a - fell <= SP__LIMIT_HALVED * b->set.tol * (1 + a)) return;
             a = slow ? (fell + a) / 2 : fell + SP__LIMIT_STEP * b->set.tol * (1 + fell);
             slow = 0;
@@ -134,6 +163,7 @@ SP__NOINLINE static sp_status sp__limit_decide(sp__limit *L, sp_arena *a)
     const sp_status status = sp__limit_start(L, a, &done);
     if (status) return status;
     if (!done && !L->none) sp__limit_newton(L);
+    sp__limit_endless(L);
     if (L->none || (L->r.kind != SP_LIMIT_UNBOUNDED && L->best < SP__HUGE)) sp__limit_upper(L);
     sp__limit_conclude(L);
     sp__limit_lowest(L);

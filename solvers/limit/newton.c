@@ -32,6 +32,14 @@ static void sp__limit_fell(sp__limit *L, sp_real at) { L->fell = at; }
 static void sp__limit_fell(sp__limit *L, sp_real at) { (void)L; (void)at; }
 #endif
 
+/* Forces f, certified last, carry lambda: the lower end. */
+static void sp__limit_carried(sp__limit *L, sp_real lambda, const sp_real *f)
+{
+    L->r.lower = lambda;
+    L->r.imbalance = L->bracket.imbalance;
+    memmove(L->r.f, f, 3 * (size_t)L->bracket.pb.points * sizeof *f);
+}
+
 /* What was asked and left open (SP__HUGE: nothing), and how far from it both sides are asked for. */
 typedef struct sp__aside { sp_real open, apart; } sp__aside;
 
@@ -70,7 +78,7 @@ static sp_real sp__limit_balance(const sp__limit *L)
 /* Motion `lower` proves collapse below `least`, motion `upper` above `best`. Where best <= least, their sum in the shares by
  * which live loads do no work proves it at every multiple: joints resist a sum of motions with no
  * more than they resist each with. */
-static int sp__limit_never_stands(sp__limit *L)
+SP__NOINLINE static int sp__limit_never_stands(sp__limit *L)
 {
     sp__bracket *b = &L->bracket;
     const size_t n = 6 * (size_t)b->pb.blocks;
@@ -93,10 +101,16 @@ static sp_real sp__limit_between(sp__limit *L, sp_real last, sp_real next)
     return L->slow ? middle : next;
 }
 
-/* Are both ends found, and as near as halving brings them? */
-static int sp__limit_closed(const sp__limit *L)
+/* Are both ends found, and no farther apart than so much? */
+static int sp__limit_ends_meet(const sp__limit *L, sp_real apart)
 {
-    return L->r.lower >= 0 && L->best - L->r.lower / L->ref <= SP__LIMIT_HALVED * L->bracket.set.tol * (1 + sp__abs(L->best));
+    return L->best < SP__HUGE && L->r.lower >= 0 && L->best - L->r.lower / L->ref <= apart * (1 + sp__abs(L->best));
+}
+
+/* Are both ends so near that the bracket is closed; where joints have strength as near as halving brings them? */
+SP__NOINLINE static int sp__limit_closed(const sp__limit *L)
+{
+    return sp__limit_ends_meet(L, (sp__limit_strong(L) ? SP__LIMIT_HALVED : SP__LIMIT_WIDE) * L->bracket.set.tol);
 }
 
 /* Where joints have strength, *a was left open: the limit is near, and rounding hides it. It is asked for on both sides, below
@@ -134,7 +148,8 @@ static int sp__limit_bound_by_collapse(sp__limit *L, sp_real *a, sp_real step)
     int beyond;
     if (!sp__engine_falls(&L->bracket, *a * L->ref, &beyond)) return 0;
     const sp_real balance = sp__limit_balance(L), last = *a;
-    L->none = beyond && last <= 0;
+    const int idle = SP__HAS_STRENGTH && !(balance < SP__HUGE);  /* live loads do nothing in it */
+    L->none = beyond && (last <= 0 || (idle && sp__bracket_falls(&L->bracket, 0, 1, NULL)));
     if (L->none) return 1;
     if (!(balance < SP__HUGE)) return 0;
     if (beyond ? balance < L->best : SP__HAS_STRENGTH && balance > L->least) {
@@ -182,16 +197,12 @@ SP__NOINLINE static int sp__limit_newton(sp__limit *L)
     sp_real a = L->best < SP__HUGE ? sp__max(0, L->best - step) : 0;
     int asks = strong ? SP__LIMIT_ASKS : 24;
     while (asks-- > 0 && sp__engine_may_ask(&L->engine, &L->bracket) && step < farthest) {
-        if (strong && !any && sp__limit_closed(L)) break;
+        if (SP__WITH_INTERIOR && !any && sp__limit_closed(L)) break;
         if (!strong && !any && L->best < SP__HUGE && a * L->ref <= L->r.lower) return 1;        /* it is known to stand there */
         const sp_verdict claim = sp__limit_ask(L, 1, a, f);
         if (claim == SP_STABLE) {
             if (!(a > 0)) L->r.dead = SP_STABLE;
-            if (a * L->ref > L->r.lower) {
-                L->r.lower = a * L->ref;
-                L->r.imbalance = L->bracket.imbalance;
-                memmove(L->r.f, f, 3 * (size_t)L->bracket.pb.points * sizeof *f);
-            }
+            if (a * L->ref > L->r.lower) sp__limit_carried(L, a * L->ref, f);
             if (strong && !any && L->best < SP__HUGE) {
                 if (sp__limit_onwards(L, &o, step, &a)) continue;
                 break;

@@ -9,6 +9,7 @@
 #define SP__STRONG_MOST 240             /* factorisations of a climb in c, at most */
 #define SP__STRONG_ASK 160              /* factorisations of a question, at most: what is decided takes no more */
 #define SP__STRONG_NEAR (100 * SP__SCALE_TOL)   /* gap of both ends, relative, that ends a climb */
+#define SP__STRONG_STILL ((sp_real)(sizeof(sp_real) == 8 ? 1e-6 : 1e-4))        /* change of imbalance, relative: none */
 #define SP__STRONG_SOLVED SP__TIE       /* imbalance from which on y is taken for that of its c */
 
 /* K that is no cone, and what interior points leave open, by the dual of the exact stage with lambda in it:
@@ -63,18 +64,14 @@ SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int thorough)
     n->shift = 0;
     n->level = SP__HUGE;
     n->prox = (sp_real)0.1;
-    for (int extra = 4; extra > 0 && sp__newton_work_left(w, n) && n->imbalance > n->goal; ) {
+    for (int extra = 4, still = 0; extra > 0 && still < 4 && sp__newton_work_left(w, n) && n->imbalance > n->goal; ) {
+        const sp_real was = n->imbalance;
         sp__strong_step(L, c);
+        still = sp__abs(n->imbalance - was) > SP__STRONG_STILL * was ? 0 : still + 1;
         if (n->prox <= SP__SHIFT) extra--;
         else if (sp__newton_near_minimum(g->w, n)) n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
     }
     return n->imbalance <= SP__STRONG_SOLVED;
-}
-
-/* Are both ends found, and no farther apart than so much? */
-static int sp__limit_ends_meet(const sp__limit *L, sp_real apart)
-{
-    return L->best < SP__HUGE && L->r.lower >= 0 && L->best - L->r.lower / L->ref <= apart * (1 + sp__abs(L->best));
 }
 
 /* The kept motion once more, sharpened by the rigid groups it shows: for the work of the loads that it falls by. */
@@ -108,11 +105,8 @@ SP__NOINLINE static int sp__strong_ends(sp__limit *L, int sharpen)
     }
     sp__system_factor(w, SP__ADMISSIBLE, w->y, SP__SHIFT);
     g->n.left--;
-    if (!w->budget.spent && a >= 0 && a * L->ref > L->r.lower && sp__limit_forces(L, 1, a, 0, L->r.ray)) {
-        L->r.lower = a * L->ref;
-        L->r.imbalance = L->bracket.imbalance;
-        memcpy(L->r.f, L->r.ray, 3 * (size_t)L->bracket.pb.points * sizeof *L->r.f);
-    }
+    if (!w->budget.spent && a >= 0 && a * L->ref > L->r.lower && sp__limit_forces(L, 1, a, 0, L->r.ray))
+        sp__limit_carried(L, a * L->ref, L->r.ray);
     if (sharpen && L->best < SP__HUGE && !sp__limit_ends_meet(L, SP__STRONG_NEAR)) sp__limit_sharpen(L);
     return sp__limit_ends_meet(L, SP__STRONG_NEAR);
 }
