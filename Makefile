@@ -180,7 +180,7 @@ build/program/%.o: %.c
 	$(Q)$(CC) $(ALL_C) $(PLUG_C) -MMD -MP -c $< -o $@
 
 build/stonepack: $(PROGRAM_O) $(SETTLE_O) build/libstonepack.a build/plugins
-	$(Q)$(CC) $(ALL_C) $(filter %.o %.a,$^) $(PLUG_L) -lm -o $@
+	$(Q)$(CC) $(ALL_C) $(filter %.o %.a,$^) $(PLUG_L) -lpthread -lm -o $@
 
 -include $(PROGRAM_O:.o=.d)
 
@@ -227,7 +227,7 @@ LOOKS   := $(shell grep -lE '"../../(port|settle)/' $(SUITE_C) /dev/null)
 UNDER    = $(if $(LOOKS),$(HOST) $(PLUG),$(GEN)) stonepack.c
 RUN_O    = run$(OF).o $(patsubst %.c,%.o,$(SUITE_C) $(UNDER))
 SMALL_O  = run$(OF).o $(patsubst %.c,%.o,$(SMALL_C) $(GEN) stonepack.c)
-RUN_L    = $(if $(LOOKS),$(PLUG_L)) -lm
+RUN_L    = $(if $(LOOKS),$(PLUG_L) -lpthread) -lm
 
 build/run$(OF) build/run_float$(OF) build/run_small$(OF): Makefile
 $(foreach p,double float,build/$p/tests/host/test_plugins.o build/$p/tests/settle/test_settle.o) \
@@ -250,7 +250,7 @@ build/run_small$(OF): $(SMALL_O:%=build/small/%)
 build/stonepack_float: REAL = -DSP_REAL_FLOAT
 build/stonepack_mixed: REAL = -DSP_REAL_MIXED
 build/stonepack_float build/stonepack_mixed: $(MAIN) $(HOST) $(PLUG) $(HOST_H) $(PARTS) $(SETTLE_O) build/plugins
-	$(CC) $(ALL_C) $(REAL) $(PLUG_C) $(MAIN) $(HOST) $(PLUG) stonepack.c $(SETTLE_O) $(PLUG_L) -lm -o $@
+	$(CC) $(ALL_C) $(REAL) $(PLUG_C) $(MAIN) $(HOST) $(PLUG) stonepack.c $(SETTLE_O) $(PLUG_L) -lpthread -lm -o $@
 
 ifeq ($(THESE),)
 test: build/run build/run_float build/run_small build/stonepack

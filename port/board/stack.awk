@@ -15,6 +15,7 @@ BEGIN {
     through["sp__admm_need"]   = "^sp__qp_(admm|interior)_need$"
     through["sp__alt_need"]    = "^sp__qp_(admm|interior)_need$"
     through["sp__kkt_walk"]    = "^sp__ldl_(degree|edge|value)$"
+    through["sp__supernode_run"] = "^sp__(supernode_(rows|beyond)|bchol3_beyond)$"
     split("sp__watch_stage sp__system_factorisation sp__run_reduced", watches)   # the caller's sp_watch, nothing of ours
     for (k in watches) callers[watches[k]] = 1
 }

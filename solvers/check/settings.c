@@ -91,6 +91,7 @@ static sp_status sp__settings_resolve(const sp_scene *scene, const sp_settings *
         if (id == SP_STAGE_CUSTOM && (!out->custom || !out->custom->run || !out->custom->need)) return SP_E_ARGUMENT;
     }
     if (out->penalty.solver && !out->penalty.solver->solve) return SP_E_ARGUMENT;
+    if (out->parallel && !out->parallel->run) return SP_E_ARGUMENT;
     const sp_coupled_settings *cs = &out->coupled;
     if (!(cs->eps < SP__HUGE) || !sp__finite(cs->eps) || !(cs->eta < SP__HUGE) || cs->eta < 0) return SP_E_RANGE;
     if (cs->rounds < 0 || (cs->eps > 0 && !(cs->eta / cs->eps < SP__HUGE))) return SP_E_RANGE;

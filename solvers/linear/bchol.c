@@ -232,44 +232,110 @@ static int sp__bchol_wide(const sp__bchol *f, int32_t k)
     return wide;
 }
 
-/* Columns k, k + 1, .. of a supernode made final, one after the other; each updates those after it. */
-static void sp__bchol_within(sp__bchol *f, int32_t k, int wide, sp__low floor)
+/* A supernode, columns k .. k + wide - 1, and how many tasks share the work on what is below it. */
+typedef struct sp__supernode {
+    sp__bchol *f;
+    int32_t k, below, tasks;            /* below: blocks that all of its columns have */
+    int wide;
+    sp__low floor;
+} sp__supernode;
+
+#define SP__TASKS      16               /* of a supernode, at most */
+#define SP__TASK_FLOPS 100000           /* less is not worth a task of its own */
+
+/* A supernode from column k on. */
+static sp__supernode sp__supernode_at(sp__bchol *f, int32_t k, sp__low floor)
 {
-    for (int32_t j = k; j < k + wide; j++) {
-        sp__low *d = f->d + 21 * (size_t)j;
-        const int32_t below = f->p[j + 1] - f->p[j];
-        sp__low *x = f->x + 36 * (size_t)f->p[j];
-        sp__bchol_block(d, floor);
-        for (int32_t q = 0; q < below; q++) sp__bchol_right(x + 36 * (size_t)q, d);
-        for (int32_t b = 0; j + 1 + b < k + wide; b++) {
+    const int wide = sp__bchol_wide(f, k);
+    const sp__supernode s = { f, k, f->p[k + wide] - f->p[k + wide - 1], 1, wide, floor };
+    return s;
+}
+
+/* Work on a supernode by as many tasks as `flops` are worth, at once where the caller can: each writes blocks that no other
+ * writes or reads, so the bits are the same. */
+SP__NOINLINE static void sp__supernode_run(sp__supernode *s, const sp_parallel *parallel, int64_t flops,
+                                           void (*task)(void *, int32_t))
+{
+    s->tasks = !parallel || flops < 2 * SP__TASK_FLOPS ? 1
+             : flops < SP__TASKS * SP__TASK_FLOPS ? (int32_t)(flops / SP__TASK_FLOPS) : SP__TASKS;
+    if (s->tasks > 1) parallel->run(parallel->self, task, s, s->tasks);
+    else task(s, 0);
+}
+
+/* x[m]: blocks of column k + m from the first row on that all columns have. */
+static void sp__supernode_columns(const sp__supernode *s, sp__low **x)
+{
+    for (int m = 0; m < s->wide; m++) x[m] = s->f->x + 36 * (size_t)(s->f->p[s->k + m] + s->wide - 1 - m);
+}
+
+/* The columns' own rows made final, column after column; each updates those after it. */
+static void sp__supernode_within(const sp__supernode *s)
+{
+    sp__bchol *f = s->f;
+    for (int32_t j = s->k, own = s->wide - 1; own >= 0; j++, own--) {
+        sp__low *d = f->d + 21 * (size_t)j, *x = f->x + 36 * (size_t)f->p[j];
+        sp__bchol_block(d, s->floor);
+        for (int32_t q = 0; q < own; q++) sp__bchol_right(x + 36 * (size_t)q, d);
+        for (int32_t b = 0; b < own; b++) {
             const sp__low *from = x, *xb = x + 36 * (size_t)b;
             sp__low *to = f->x + 36 * (size_t)f->p[j + 1 + b];
             sp__bchol_square(f->d + 21 * (size_t)(j + 1 + b), xb);
-            for (int32_t a = b + 1; a < below; a++, to += 36) sp__bchol_update(to, 1, &from, &xb, 36 * (size_t)a);
+            for (int32_t a = b + 1; a < own; a++, to += 36) sp__bchol_update(to, 1, &from, &xb, 36 * (size_t)a);
         }
     }
 }
 
-/* A = L L' in place, blocks of 6 x 6, supernode after supernode. */
-SP__NOINLINE static void sp__bchol_factor(sp__bchol *f, sp__low floor)
+/* Task t: rows below made final, each by itself: its block of every column less what the columns before it put there. */
+static void sp__supernode_rows(void *job, int32_t t)
 {
-    const sp__low *x[SP__SUPERNODE], *xb[SP__SUPERNODE];        /* blocks of its columns below it; of the row at hand */
-    for (int32_t k = 0, wide; k < f->n; k += wide) {
-        wide = sp__bchol_wide(f, k);
-        sp__bchol_within(f, k, wide, floor);
-        const int32_t last = k + wide - 1, *row = f->i + f->p[last], below = f->p[last + 1] - f->p[last];
-        for (int m = 0; m < wide; m++) x[m] = f->x + 36 * (size_t)(f->p[k + m] + wide - 1 - m);
-        for (int32_t b = 0; b < below; b++) {
-            int32_t to = f->p[row[b]];
-            for (int m = 0; m < wide; m++) {
-                xb[m] = x[m] + 36 * (size_t)b;
-                sp__bchol_square(f->d + 21 * (size_t)row[b], xb[m]);
-            }
-            for (int32_t a = b + 1; a < below; a++) {
-                while (f->i[to] < row[a]) to++;
-                sp__bchol_update(f->x + 36 * (size_t)to, wide, x, xb, 36 * (size_t)a);
-            }
+    const sp__supernode *s = job;
+    sp__low *x[SP__SUPERNODE];
+    const sp__low *a[SP__SUPERNODE], *b[SP__SUPERNODE];
+    sp__supernode_columns(s, x);
+    for (int m = 0; m < s->wide; m++) a[m] = x[m];
+    for (int m = 0; m < s->wide; m++) {
+        const sp__low *d = s->f->d + 21 * (size_t)(s->k + m);
+        for (int c = 0; c < m; c++) b[c] = x[c] - 36 * (size_t)(s->wide - m);
+        for (int32_t r = t; r < s->below; r += s->tasks) {
+            sp__bchol_update(x[m] + 36 * (size_t)r, m, a, b, 36 * (size_t)r);
+            sp__bchol_right(x[m] + 36 * (size_t)r, d);
         }
+    }
+}
+
+/* Task t: the columns of rows t, t + tasks, .. further right less what the supernode puts there. */
+static void sp__supernode_beyond(void *job, int32_t t)
+{
+    const sp__supernode *s = job;
+    const sp__bchol *f = s->f;
+    const int32_t *row = f->i + f->p[s->k + s->wide - 1];
+    sp__low *x[SP__SUPERNODE];
+    const sp__low *a[SP__SUPERNODE], *b[SP__SUPERNODE];         /* blocks of its columns below it; of the row at hand */
+    sp__supernode_columns(s, x);
+    for (int m = 0; m < s->wide; m++) a[m] = x[m];
+    for (int32_t c = t; c < s->below; c += s->tasks) {
+        int32_t to = f->p[row[c]];
+        for (int m = 0; m < s->wide; m++) {
+            b[m] = x[m] + 36 * (size_t)c;
+            sp__bchol_square(f->d + 21 * (size_t)row[c], b[m]);
+        }
+        for (int32_t r = c + 1; r < s->below; r++) {
+            while (f->i[to] < row[r]) to++;
+            sp__bchol_update(f->x + 36 * (size_t)to, s->wide, a, b, 36 * (size_t)r);
+        }
+    }
+}
+
+/* A = L L' in place, blocks of 6 x 6, supernode after supernode. parallel: who runs tasks at once, NULL: no one. */
+SP__NOINLINE static void sp__bchol_factor(sp__bchol *f, sp__low floor, const sp_parallel *parallel)
+{
+    for (int32_t k = 0; k < f->n;) {
+        sp__supernode s = sp__supernode_at(f, k, floor);
+        const int64_t wide = s.wide, below = s.below;
+        sp__supernode_within(&s);
+        sp__supernode_run(&s, parallel, 216 * wide * wide * below, sp__supernode_rows);
+        sp__supernode_run(&s, parallel, 216 * wide * below * below, sp__supernode_beyond);
+        k += s.wide;
     }
 }
 
@@ -347,26 +413,35 @@ static void sp__bchol3_within(sp__bchol *f, int32_t k, int wide, sp_real floor)
     }
 }
 
-/* sp__bchol_factor, blocks of 3 x 3. */
-SP__NOINLINE static void sp__bchol3_factor(sp__bchol *f, sp_real floor)
+/* sp__supernode_beyond, blocks of 3 x 3. */
+static void sp__bchol3_beyond(void *job, int32_t t)
 {
+    const sp__supernode *s = job;
+    const sp__bchol *f = s->f;
+    const int32_t *row = f->i + f->p[s->k + s->wide - 1];
     const sp_real *x[SP__SUPERNODE], *xb[SP__SUPERNODE];
-    for (int32_t k = 0, wide; k < f->n; k += wide) {
-        wide = sp__bchol_wide(f, k);
-        sp__bchol3_within(f, k, wide, floor);
-        const int32_t last = k + wide - 1, *row = f->i + f->p[last], below = f->p[last + 1] - f->p[last];
-        for (int m = 0; m < wide; m++) x[m] = sp__bchol_x(f) + 9 * (size_t)(f->p[k + m] + wide - 1 - m);
-        for (int32_t b = 0; b < below; b++) {
-            int32_t to = f->p[row[b]];
-            for (int m = 0; m < wide; m++) {
-                xb[m] = x[m] + 9 * (size_t)b;
-                sp__bchol3_square(sp__bchol_d(f) + 6 * (size_t)row[b], xb[m]);
-            }
-            for (int32_t a = b + 1; a < below; a++) {
-                while (f->i[to] < row[a]) to++;
-                sp__bchol3_update(sp__bchol_x(f) + 9 * (size_t)to, wide, x, xb, 9 * (size_t)a);
-            }
+    for (int m = 0; m < s->wide; m++) x[m] = sp__bchol_x(f) + 9 * (size_t)(f->p[s->k + m] + s->wide - 1 - m);
+    for (int32_t b = t; b < s->below; b += s->tasks) {
+        int32_t to = f->p[row[b]];
+        for (int m = 0; m < s->wide; m++) {
+            xb[m] = x[m] + 9 * (size_t)b;
+            sp__bchol3_square(sp__bchol_d(f) + 6 * (size_t)row[b], xb[m]);
         }
+        for (int32_t a = b + 1; a < s->below; a++) {
+            while (f->i[to] < row[a]) to++;
+            sp__bchol3_update(sp__bchol_x(f) + 9 * (size_t)to, s->wide, x, xb, 9 * (size_t)a);
+        }
+    }
+}
+
+/* sp__bchol_factor, blocks of 3 x 3. */
+SP__NOINLINE static void sp__bchol3_factor(sp__bchol *f, sp_real floor, const sp_parallel *parallel)
+{
+    for (int32_t k = 0; k < f->n;) {
+        sp__supernode s = sp__supernode_at(f, k, 0);
+        sp__bchol3_within(f, k, s.wide, floor);
+        sp__supernode_run(&s, parallel, (int64_t)27 * s.wide * s.below * s.below, sp__bchol3_beyond);
+        k += s.wide;
     }
 }
 

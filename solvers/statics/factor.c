@@ -187,7 +187,7 @@ static void sp__reduction_factor(sp__system *w, sp__law law, const sp_real *y, s
     sp__system_factorisation(w);
     const int balanced = SP__WITH_INTERIOR && law == SP__INTERIOR;
     if (balanced) sp__bchol_balance(&w->L, shift);
-    sp__bchol3_factor(&w->L, floor);
+    sp__bchol3_factor(&w->L, floor, w->set->parallel);
     if (balanced) sp__bchol_unbalance(&w->L);
 }
 
@@ -206,7 +206,7 @@ SP__NOINLINE static void sp__system_factor(sp__system *w, sp__law law, const sp_
 #else
     if (SP__WITH_INTERIOR && law == SP__INTERIOR) {
         sp__bchol_balance(&w->L, shift);
-        sp__bchol_factor(&w->L, floor);
+        sp__bchol_factor(&w->L, floor, w->set->parallel);
         sp__bchol_unbalance(&w->L);
         return;
     }
@@ -214,7 +214,7 @@ SP__NOINLINE static void sp__system_factor(sp__system *w, sp__law law, const sp_
     if (w->dense) {
         sp__system_densify(w);
         sp__chol_factor(w->dense, 6 * w->L.n, (sp_real)floor);
-    } else sp__bchol_factor(&w->L, floor);
+    } else sp__bchol_factor(&w->L, floor, w->set->parallel);
 }
 
 /* x <- (L L')^-1 b; x may be b. */

@@ -1,6 +1,8 @@
-/* threads: two threads ask the same questions of the same scenes at once, each in an arena of its own. Their answers are those of one
- * thread, bit by bit; ThreadSanitizer looks on [check.sh, sanitizers]. With -DPLANTED they share an arena, which it must see. */
+/* threads: two threads ask the same questions of the same scenes at once, each in an arena of its own, and two share the tasks of
+ * a factor. Their answers are those of one thread, bit by bit; ThreadSanitizer looks on [check.sh, sanitizers]. With -DPLANTED
+ * they share an arena, which it must see. */
 #define _POSIX_C_SOURCE 200809L
+#include "../../port/host/command/jobs.h"
 #include "../scenes/gen.h"
 
 #include <pthread.h>
@@ -66,6 +68,24 @@ static void *ask_all(void *p)
     return NULL;
 }
 
+/* A dome that stands, checked by one thread and by two, as the program does with --jobs. */
+static int shares(void)
+{
+    sp_settings set = sp_settings_default();
+    sp_scene dome;
+    sp_arena a;
+    failure error;
+    sp_result r[2];
+    sp_arena_init(&a, own[0], BYTES);
+    int failed = gen_make("dome", "rings", 8, &a, &dome) != SP_OK || jobs_begin(2, &set.parallel, &error);
+    if (failed || sp_check(&dome, &set, &a, &r[0]) != SP_OK) return 1;
+    jobs_end();
+    set.parallel = NULL;
+    if (sp_check(&dome, &set, &a, &r[1]) != SP_OK) return 1;
+    for (int k = 0; k < 3 * dome.count.points; k++) failed |= r[0].f[k] < r[1].f[k] || r[0].f[k] > r[1].f[k];
+    return failed || r[0].verdict != r[1].verdict;
+}
+
 int main(void)
 {
     static answers w[3];
@@ -80,6 +100,7 @@ int main(void)
     for (int t = 0; t < 2; t++) pthread_join(thread[t], NULL);
     ask_all(&w[2]);
     for (int t = 0; t < 3; t++) failed += w[t].failed || memcmp(w[t].sum, w[2].sum, sizeof w[2].sum) != 0;
-    printf("%d passed, %d failed\n", 3 - failed, failed);
+    failed += shares();
+    printf("%d passed, %d failed\n", 4 - failed, failed);
     return failed != 0;
 }

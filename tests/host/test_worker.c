@@ -163,7 +163,7 @@ static int same_words(const sp_result *a, const sp_result *b)
 TEST(every_field_of_settings_and_result_is_known_to_the_messages)
 {
     if (sizeof(void *) != 8) return;
-    CHECK_INT(sizeof(sp_settings), TOL(192, 160));
+    CHECK_INT(sizeof(sp_settings), TOL(200, 168));      /* watch, work and parallel stay here */
     CHECK_INT(sizeof(sp_result), TOL(528, 472));
 }
 

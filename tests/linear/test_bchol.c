@@ -75,7 +75,7 @@ static void blocks_of(int32_t n, sp__bchol *f)
 static void factor_above(int32_t n, double floor, sp__bchol *f)
 {
     blocks_of(n, f);
-    sp__bchol_factor(f, R(floor));
+    sp__bchol_factor(f, R(floor), NULL);
 }
 
 static void factor(int32_t n, sp__bchol *f) { factor_above(n, 0, f); }
@@ -128,7 +128,7 @@ TEST(a_balanced_factor_is_that_of_the_matrix)
             for (int32_t j = 0; j < 6 * n; j++) A[i][j] *= scale[i] * scale[j];
         blocks_of(n, &f);
         sp__bchol_balance(&f, 0);
-        sp__bchol_factor(&f, 8 * SP__LOW_EPSILON);
+        sp__bchol_factor(&f, 8 * SP__LOW_EPSILON, NULL);
         sp__bchol_unbalance(&f);
         for (int32_t k = 0; k < 6 * n; k++) b[k] = R(scale[k] * (double)test_random_real(-1, 1));
         sp__bchol_solve(&f, b, x);
@@ -146,7 +146,7 @@ TEST(the_shift_of_a_balanced_matrix_is_relative)
     A[2][2] = 1e-6;
     blocks_of(1, &f);
     sp__bchol_balance(&f, R(0.25));
-    sp__bchol_factor(&f, 0);
+    sp__bchol_factor(&f, 0, NULL);
     sp__bchol_unbalance(&f);
     b[0] = b[1] = b[2] = 1;
     sp__bchol_solve(&f, b, x);
@@ -201,7 +201,7 @@ TEST(pivots_without_strength_are_raised_to_the_floor)
     make(1, 0, 0);                                      /* the zero matrix */
     factor(1, &f);
     sp__bchol_zero(&f);
-    sp__bchol_factor(&f, R(0.25));
+    sp__bchol_factor(&f, R(0.25), NULL);
     b[2] = 1;
     sp__bchol_solve(&f, b, x);
     CHECK_NEAR(x[2], 4, 8 * (double)SP__LOW_EPSILON);

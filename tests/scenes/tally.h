@@ -6,6 +6,7 @@
 #include "../test.h"
 #include "gen.h"
 
+#include <math.h>
 #include <string.h>
 
 #if defined SP_NO_PLAN || defined SP_REAL_MIXED || defined SP_REAL_QUAD || defined SP_REAL_FLOAT || defined SP_NO_IPM
@@ -20,15 +21,22 @@ typedef struct tally_scene {
     const char *name, *number; double value, mu, live[3]; int glue;
 } tally_scene;
 
-/* kind: what was answered, as each suite numbers it. */
-typedef struct tally { int kind, factorisations, iterations, interior; int64_t flops; } tally;
+/* kind: what was answered, as each suite numbers it. bytes: the arena's, with pointers of 64 bits. found: numbers of the
+ * answer. */
+enum { TALLY_FOUND = 5 };
+typedef struct tally {
+    int kind, factorisations, iterations, interior;
+    int64_t flops;
+    int bytes;
+    double found[TALLY_FOUND];
+} tally;
 
 static sp_scene tally_make(const tally_scene *t)
 {
     gen_scene g;
     sp_scene s;
     double mass = 0, area = 0;
-    test_arena.used = 0;
+    test_arena.used = test_arena.peak = 0;
     memset(&s, 0, sizeof s);
     if (!CHECK_INT(gen_open(&g, t->name), 1) || !CHECK_INT(gen_set(&g, t->number, t->value), 1)) return s;
     CHECK_INT(gen_set(&g, "mu", t->mu), 1);
@@ -53,14 +61,26 @@ static void tally_add(sp_cost *sum, const sp_cost *more)
     sum->interior += more->interior;
 }
 
-/* Are they the counts of row k of `what`? */
-static void tally_compare(const char *what, size_t k, const tally *written, int kind, const sp_cost *cost)
+/* |x| of n numbers. */
+static double tally_size(const sp_real *x, size_t n)
 {
-    const int same = written->kind == kind && written->factorisations == cost->factorisations && written->flops == cost->flops
-                  && written->iterations == cost->iterations && written->interior == cost->interior;
+    double sum = 0;
+    for (size_t k = 0; k < n; k++) sum += (double)x[k] * (double)x[k];
+    return sqrt(sum);
+}
+
+/* Is it what row k of `what` says? Of numbers found 7 digits count. */
+static void tally_compare(const char *what, size_t k, const tally *written, int kind, const sp_cost *cost, size_t bytes,
+                          const double found[TALLY_FOUND])
+{
+    int same = written->kind == kind && written->factorisations == cost->factorisations && written->flops == cost->flops
+            && written->iterations == cost->iterations && written->interior == cost->interior;
+    if (sizeof(void *) == 8) same = same && (size_t)written->bytes == bytes;
+    for (int e = 0; e < TALLY_FOUND; e++) same = same && fabs(found[e] - written->found[e]) <= 2e-7 * fabs(found[e]) + 1e-13;
     if (!COUNTED || CHECK(same)) return;
-    TEST_PRINT("    %s, row %d: %d, %d, %d, %d, %lld\n", what, (int)k, kind, (int)cost->factorisations, (int)cost->iterations,
-               (int)cost->interior, (long long)cost->flops);
+    TEST_PRINT("    %s, row %d: { %d, %d, %d, %d, %lld, %d, { %.8g, %.8g, %.8g, %.8g, %.8g } }\n", what, (int)k, kind,
+               (int)cost->factorisations, (int)cost->iterations, (int)cost->interior, (long long)cost->flops, (int)bytes,
+               found[0], found[1], found[2], found[3], found[4]);
 }
 
 #endif /* TALLY_H */
