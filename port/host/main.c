@@ -67,6 +67,8 @@ static const char help_check[] =
 "  --solver ipopt     with --coupled: puts the published program's answer beside ours\n\n"
 "  --worker S[,MB]    a process of its own checks each scene: S seconds, MB megabytes, then it is killed (status 70)\n"
 "  --fallback         where the worker does not answer, check here\n"
+"  --jobs N           N cores, up to 64, and the same answers in the same order: scenes at the same time, of one scene\n"
+"                     the large factors                                            1\n"
 "  --skip-done FILE   leaves out scenes with a result in FILE (JSON Lines); what they were counts for the exit status\n\n"
 "memory_bytes in JSON counts scene and arena. Exit status: 0 stable, 1 unstable, 2 undecided, 65 a bad scene,\n"
 "66 can't read, 64 usage, 69 a solver that is not in this build, 70 internal, 71 out of memory; of several scenes the\n"
@@ -94,7 +96,8 @@ static const char help_limit[] =
 "  --tol X            accuracy of both ends, as that of check                      1e-9\n"
 "  --cone KIND        true; Ki, Kc: pyramid of K = 3..64 faces inside, around it   true\n"
 "  --tilt DEG[,AZ]    turns gravity first\n"
-"  --budget FLOPS     work that is never exceeded\n\n"
+"  --budget FLOPS     work that is never exceeded\n"
+"  --jobs N           N cores, up to 64: azimuths of a margin at the same time, else the large factors; same answer  1\n\n"
 "Exit status: 0, also where no multiple or any works; 2 undecided; of --tilt-margin 1 where it does not stand level.\n";
 
 static const char help_plan[] =

@@ -119,28 +119,57 @@ static sp_status ask_level(const sp_scene *scene, const sp_settings *settings, t
     return SP_OK;
 }
 
+/* All azimuths, and what each says: its limit's tan t, and where the line of its mechanism is. */
+typedef struct around {
+    const sp_scene *scene;
+    const sp_settings *settings;
+    double (*h)[3];
+    struct { sp_status status; sp_limit_kind kind; double lambda, line, at; } way[TILT_AZIMUTHS];
+} around;
+
+/* The k-th of them. */
+static void ask_azimuth(void *job, int32_t k)
+{
+    around *all = job;
+    void *memory = NULL;
+    sp_limit_result x;
+    all->way[k].status = towards(all->scene, all->settings, 360.0 * k / TILT_AZIMUTHS * DEGREE, all->h, &x, &all->way[k].lambda,
+                                 &memory);
+    if (all->way[k].status == SP_OK) {
+        all->way[k].kind = x.kind;
+        all->way[k].line = nearest_line(all->scene, &x, all->h, &all->way[k].at);
+    }
+    free(memory);
+}
+
+/* Tasks, at once where the settings say how. */
+static void run_tasks(const sp_settings *settings, void (*task)(void *job, int32_t k), void *job, int32_t n)
+{
+    const sp_parallel *p = settings->parallel;
+    if (p) p->run(p->self, task, job, n);
+    else for (int32_t k = 0; k < n; k++) task(job, k);
+}
+
 /* The angle of every azimuth, and the nearest line of them all: its tan t, HUGE_VAL where there is none, and azimuth [rad]. */
 static sp_status ask_around(const sp_scene *scene, const sp_settings *settings, double h[2][3], tilt_margin *m, double *nearest,
                             double *azimuth)
 {
+    sp_settings unseen = *settings;
+    around all;
+    if (settings->parallel) unseen.watch = NULL;        /* who watches is told by one thread alone */
+    memset(&all, 0, sizeof all);
+    all.scene = scene;
+    all.settings = &unseen;
+    all.h = h;
+    run_tasks(settings, ask_azimuth, &all, TILT_AZIMUTHS);
     *nearest = HUGE_VAL;
     for (int k = 0; k < TILT_AZIMUTHS; k++) {
-        void *memory = NULL;
-        sp_limit_result x;
-        double lambda, at, line;
-        const sp_status status = towards(scene, settings, 360.0 * k / TILT_AZIMUTHS * DEGREE, h, &x, &lambda, &memory);
-        if (status != SP_OK) {
-            free(memory);
-            return status;
-        }
-        m->angle[k] = atan(lambda) / DEGREE;
-        m->undecided += x.kind == SP_LIMIT_UNDECIDED;
-        line = nearest_line(scene, &x, h, &at);
-        if (line < *nearest) {
-            *nearest = line;
-            *azimuth = at;
-        }
-        free(memory);
+        if (all.way[k].status != SP_OK) return all.way[k].status;
+        m->angle[k] = atan(all.way[k].lambda) / DEGREE;
+        m->undecided += all.way[k].kind == SP_LIMIT_UNDECIDED;
+        if (!(all.way[k].line < *nearest)) continue;
+        *nearest = all.way[k].line;
+        *azimuth = all.way[k].at;
     }
     return SP_OK;
 }

@@ -233,8 +233,7 @@ END
 worked() {                                              # a worker for each scene: the same results, times apart
     "$cli" check --json --forces --coupled --worker 60 "$here"/../scenes/[a-f]*.obj > "$tmp/a"
     "$cli" check --json --forces --coupled "$here"/../scenes/[a-f]*.obj > "$tmp/b"
-    for w in a b; do sed 's/"seconds":[^,}]*//g' "$tmp/$w" > "$tmp/$w.bits"; done
-    test -s "$tmp/a" && cmp "$tmp/a.bits" "$tmp/b.bits"
+    same_but_seconds "$tmp/a" "$tmp/b"
 }
 resumed() {                                             # a run that was stopped goes on: every scene once, the worst counts
     "$cli" check --json "$here"/../scenes/*.obj > "$tmp/all"
@@ -246,6 +245,31 @@ resumed() {                                             # a run that was stopped
     test ! -s "$tmp/more" || return 1
     printf %s "$(cat "$tmp/all")" > "$tmp/results.jsonl"                       # whole, but for its last newline
     exits 1 "$cli" check --json --skip-done "$tmp/results.jsonl" "$here"/../scenes/*.obj > "$tmp/more" && test -z "$(cat "$tmp/more")"
+}
+same_but_seconds() {                                    # same_but_seconds A B: files
+    for w in "$1" "$2"; do sed 's/"seconds":[^,}]*//g' "$w" > "$w.bits"; done
+    test -s "$1" && cmp "$1.bits" "$2.bits"
+}
+beside() {
+    for b_how in '--json --forces' --quiet; do
+        # shellcheck disable=SC2086
+        for b_jobs in 1 3; do
+            "$cli" check $b_how --jobs $b_jobs "$here"/../scenes/[a-f]*.obj /dev/null no-such-file "$here"/../scenes/[g-z]*.obj \
+                > "$tmp/told$b_jobs" 2> "$tmp/failed$b_jobs"
+            echo $? >> "$tmp/failed$b_jobs"
+        done
+        same_but_seconds "$tmp/told1" "$tmp/told3" && cmp "$tmp/failed1" "$tmp/failed3" || return 1
+    done
+    grep -q 'no-such-file' "$tmp/failed3" && tail -n 1 "$tmp/failed3" | grep -qx 65 || return 1
+    "$cli" check --quiet "$here"/../scenes/*.obj > "$tmp/a"
+    ( ulimit -n 10; "$cli" check --quiet --jobs 4 "$here"/../scenes/*.obj ) > "$tmp/b"         # fewer files than it would have open
+    cmp "$tmp/a" "$tmp/b"
+}
+by_threads() {
+    "$cli" gen dome rings=8 > "$tmp/one.obj" && "$cli" check --json --forces "$tmp/one.obj" > "$tmp/a" &&
+    "$cli" check --json --forces --jobs 3 "$tmp/one.obj" > "$tmp/b" && same_but_seconds "$tmp/a" "$tmp/b" || return 1
+    "$cli" gen two-cubes offset=0.2 > "$tmp/one.obj" && "$cli" limit --tilt-margin --json "$tmp/one.obj" > "$tmp/a" &&
+    "$cli" limit --tilt-margin --json --jobs 3 "$tmp/one.obj" > "$tmp/b" && same_but_seconds "$tmp/a" "$tmp/b"
 }
 # tables COMMAND SCENE [OPTIONS] TABLE LINES ...: each table of --csv has so many lines, all with as many values as its first.
 tables() {
@@ -592,6 +616,9 @@ part "friction of a corner in JSON"     sh -c "'$cli' gen arch | '$cli' check --
 part "nothing fixed: told first"        sh -c "'$cli' gen two-cubes | sed '/fixed/d' | '$cli' check - | sed -n 2p | grep -q 'nothing is fixed'"
 part "a bad scene among others"     goes_on
 part "skip-done: a stopped run goes on" resumed
+part "jobs: several at a time, the same answers in the same order" beside
+part "jobs: one scene by threads, the same answers" by_threads
+part "jobs: what is no number of cores is refused" exits 64 "$cli" check --jobs 0 "$tmp/scene.obj"
 part "sequence: an arch without centring falls: 1" exits 1 "$cli" sequence "$tmp/scene.obj"
 part "sequence: the step that fails first" says '"first_failing": *4,' "$cli" sequence --json "$tmp/scene.obj"
 part "sequence: what must be held"  says '^ *19 + b19 .*hold b19! (minimal)' "$cli" sequence "$tmp/scene.obj"

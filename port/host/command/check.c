@@ -2,6 +2,7 @@
 #include "../files/done.h"
 #include "../tilt.h"
 #include "commands.h"
+#include "jobs.h"
 #include "outputs.h"
 #include "progress.h"
 #include "report.h"
@@ -88,6 +89,25 @@ static int worse_status(int a, int b)
     return rank_a > rank_b ? a : b;
 }
 
+/* All scenes of the command line. */
+typedef struct scene_list {
+    options *o;
+    const done_list *done;
+} scene_list;
+
+/* The k-th of them: what it is told as.     returns its status, which an earlier run may have written down */
+static int tell_one(void *self, int k)
+{
+    const scene_list *all = self;
+    options *o = all->o;
+    failure error = { 0, "" };
+    const int before = done_find(all->done, o->file[k]), status = before >= 0 ? before : check_one(o->file[k], o, &error);
+    if (status > EXIT_UNDECIDED) fprintf(stderr, "%s\n", error.line);
+    if (!o->json && !o->quiet && k + 1 < o->files && before < 0) fputc('\n', stdout);
+    fflush(stdout);
+    return status;
+}
+
 /* After so many of the scenes, by Ctrl-C; what was printed is whole, so that --skip-done can go on from there. */
 static int stop(int scenes, int all)
 {
@@ -95,17 +115,61 @@ static int stop(int scenes, int all)
     return EXIT_STOPPED;
 }
 
+/* One after the other, each by as many threads as there may be. */
+static int check_in_turn(options *o, const done_list *done, failure *error)
+{
+    scene_list all = { o, done };
+    int worst = jobs_begin(o->jobs, &o->settings.parallel, error);
+    if (worst) {
+        fprintf(stderr, "%s\n", error->line);
+        return worst;
+    }
+    progress_begin(o->quiet);
+    if (o->files > 1) progress_hear();
+    for (int k = 0; k < o->files; k++) {
+        if (progress_stopped()) {
+            worst = stop(k, o->files);
+            break;
+        }
+        worst = worse_status(worst, tell_one(&all, k));
+    }
+    jobs_end();
+    return worst;
+}
+
+/* Several at a time, told in their order. */
+static int check_beside(options *o, const done_list *done, failure *error)
+{
+    scene_list all = { o, done };
+    int worst = EXIT_STABLE, *status = malloc((size_t)o->files * sizeof *status);
+    if (!status) {
+        worst = fail_status(error, SP_E_MEMORY, NULL, 0, "--jobs");
+        fprintf(stderr, "%s\n", error->line);
+        return worst;
+    }
+    progress_begin(1);
+    progress_hear();
+    const int ran = jobs_scenes(o->files, o->jobs, o->file, tell_one, &all, status);
+    if (ran < 0) {
+        free(status);
+        fputs("stonepack: --jobs needs POSIX\n", stderr);
+        return EXIT_UNAVAILABLE;
+    }
+    for (int k = 0; k < ran; k++) worst = worse_status(worst, status[k]);
+    free(status);
+    return ran < o->files ? stop(ran, o->files) : worst;
+}
+
 int command_check(int argc, char **argv)
 {
     failure error = { 0, "" };
     done_list done = { NULL, 0, 0, 0 };
     options o;
-    int worst = EXIT_STABLE;
 
     if (options_read(argc, argv, " --json --forces --svg --png --html --out-obj --csv --view --names"
                      " --tol --budget --cone --stages --solver --preset --net"
                      " --tilt --strong --corners --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects"
-                     " --worker --fallback --skip-done"
+                     " --worker --fallback --skip-done --jobs"
                      SCENE_OPTIONS, &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
         return error.status;
@@ -124,19 +188,7 @@ int command_check(int argc, char **argv)
         return error.status;
     }
     if (done.torn) fputc('\n', stdout);                 /* what is appended to it starts a line of its own */
-    progress_begin(o.quiet);
-    if (o.files > 1) progress_hear();
-    for (int i = 0; i < o.files; i++) {
-        if (progress_stopped()) {
-            worst = stop(i, o.files);
-            break;
-        }
-        const int before = done_find(&done, o.file[i]), status = before >= 0 ? before : check_one(o.file[i], &o, &error);
-        if (status > EXIT_UNDECIDED) fprintf(stderr, "%s\n", error.line);
-        if (!o.json && !o.quiet && i + 1 < o.files && before < 0) fputc('\n', stdout);
-        fflush(stdout);
-        worst = worse_status(worst, status);
-    }
+    const int worst = o.files > 1 && o.jobs > 1 ? check_beside(&o, &done, &error) : check_in_turn(&o, &done, &error);
     done_free(&done);
     return worst;
 }

@@ -4,6 +4,7 @@
 #include "../run.h"
 #include "../tilt.h"
 #include "commands.h"
+#include "jobs.h"
 #include "outputs.h"
 #include "progress.h"
 #include "report.h"
@@ -288,7 +289,7 @@ int command_limit(int argc, char **argv)
     int status;
 
     status = options_read(argc, argv, " --json --forces --svg --png --html --out-obj --csv --view --names"
-                          " --tol --cone --body --tilt --tilt-margin --budget --sliding"
+                          " --tol --cone --body --tilt --tilt-margin --budget --sliding --jobs"
                           SCENE_OPTIONS, &o,
                           &error);
     if (!status && o.files != 1) status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: limit needs one scene");
@@ -305,7 +306,9 @@ int command_limit(int argc, char **argv)
         if (!status && o.tilt_margin && (fabs(o.body[0]) > 0 || fabs(o.body[1]) > 0 || fabs(o.body[2]) > 0))
             status = fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: --tilt-margin and --body exclude each other");
         if (!status && !o.tilt_margin) status = set_body(&s, &o, &error);
+        if (!status) status = jobs_begin(o.jobs, &o.settings.parallel, &error);
         if (!status) status = o.tilt_margin ? tilt_report(&r, &error) : limit_command(&r, &error);
+        jobs_end();
         scene_free(&s);
     }
     if (status > EXIT_UNDECIDED) fprintf(stderr, "%s\n", error.line);

@@ -1,5 +1,6 @@
 #include "options.h"
 #include "../files/text.h"
+#include "jobs.h"
 #include "solvers.h"
 
 #include <math.h>
@@ -195,6 +196,16 @@ static int take_tilt(options *o, const char *name, const char *value, failure *e
     return usage(error, name, "needs DEG or DEG,AZIMUTH, degrees within -360..360");
 }
 
+static int take_jobs(options *o, const char *name, const char *value, failure *error)
+{
+    int32_t n;
+    const text_word w = { value, strlen(value) };
+    if (text_int(w, &n) != TEXT_NUMBER || n < 1 || n > JOBS_MOST)
+        return usage(error, name, "needs a number of cores from 1 to 64");
+    o->jobs = n;
+    return 0;
+}
+
 /* SECONDS[,MEGABYTES] */
 static int take_worker(options *o, const char *name, const char *value, failure *error)
 {
@@ -317,6 +328,7 @@ static const struct {
     { "--eps", take_eps }, { "--near", take_near },
     { "--cone", take_cone }, { "--stages", take_stages }, { "--body", take_body }, { "--tilt", take_tilt },
     { "--sliding", take_sliding },
+    { "--jobs", take_jobs },
     { "--worker", take_worker }, { "--backend", take_backend }, { "--solver", take_solver }, { "--effects", take_effects },
     { "--cra-eps", take_cra_eps }, { "--cra-eta", take_cra_eta }, { "--cra-nodes", take_cra_nodes },
     { "--preset", take_preset }, { "--view", take_view },
@@ -409,6 +421,7 @@ static void set_defaults(options *o, char **argv)
     o->scene = scene_settings_default();
     o->solver_name = "admm";
     o->solver = sp_qp_admm();
+    o->jobs = 1;
     o->program = argv[0];
     o->file = argv + 2;
     set_preset("default", o);

@@ -42,6 +42,7 @@ typedef struct options {
     double worker;              /* [s] the check is made by a worker that has so long; 0: here */
     double worker_memory;       /* [byte] and this much memory; 0: unlimited */
     int fallback;               /* where it doesn't answer: here */
+    int jobs;                   /* of check, limit: cores, >= 1 */
     const char *done;           /* scenes with a result in this file are left out, or NULL */
     int files;
     char **file;                /* what is no option, in order */
