@@ -464,6 +464,26 @@ TEST(the_shortest_decimal_reads_back)
     }
 }
 
+/* What printf prints with the fewest digits, 15 at least (of float 6), that reads back: near ties, carries, ends of exponents. */
+TEST(the_shortest_decimal_is_what_printf_prints)
+{
+    const int most = sizeof(sp_real) == 8 ? 17 : 9, least = sizeof(sp_real) == 8 ? 15 : 6;
+    for (int k = 0; k < 20000; k++) {
+        char text[32], want[64];
+        const double near[] = { 1, 0.1, 1e15, 1e16, 1e17, 1e-4, 1e-5, 0.5, 1e22, 99999, 1e-300, 123456789012345., 2.5, 1e300 };
+        const double size = near[test_random_int(0, 13)];
+        const double step[] = { 1e-16, 1e-15, 1e-14, 1e-9, 1e-7, 1e-6, 1e-3, 1 };
+        sp_real x = (sp_real)(size * (1 + test_random_int(-40, 40) * step[test_random_int(0, 7)] / (k % 2 ? 1 : 4))), y = 0;
+        if (k % 3 == 0) x = test_random_real(-1, 1) * (sp_real)(sizeof(sp_real) == 8 || size < 1e30 ? size : 1);
+        if (!(x - x <= 0)) continue;
+        for (int digits = least; digits <= most; digits++) {
+            snprintf(want, sizeof want, "%.*g", digits, (double)x);
+            if (real(want, &y) == TEXT_NUMBER && !(y < x) && !(y > x)) break;
+        }
+        CHECK_TEXT(text_shortest(x, text), want);
+    }
+}
+
 /* One string through json_out and json_in; what comes out must be UTF-8. */
 static void json_trip(const char *in, const char *want)
 {
@@ -565,6 +585,7 @@ TEST_LIST(obj)
     RUN(masses_and_pressures_are_loads)
     RUN(numbers_are_strict)
     RUN(the_shortest_decimal_reads_back)
+    RUN(the_shortest_decimal_is_what_printf_prints)
     RUN(json_strings_are_escaped_and_valid)
     RUN(json_is_read_strictly)
     RUN(help_tells_the_words_that_are_read)

@@ -183,25 +183,55 @@ text_number text_int(text_word word, int32_t *i)
     return TEXT_NUMBER;
 }
 
-/* x with so many digits.     returns whether it reads back as x */
-static int reads_back(sp_real x, int digits, char text[32])
+/* Does the text read back as x? */
+static int reads_as(sp_real x, const char text[32])
 {
     sp_real y = 0;
-    const text_word w = { text, (size_t)snprintf(text, 32, "%.*g", digits, (double)x) };
+    const text_word w = { text, strlen(text) };
     return text_real(w, &y) == TEXT_NUMBER && !(y < x) && !(y > x);
 }
 
-/* `most` digits tell every number apart, `sure` print all that has fewer, with no zeros at its end; 16 lie between. */
+/* How many digits a number has, zeros in front not counted. */
+static int count_digits(const char *text)
+{
+    int n = 0;
+    for (; *text && *text != 'e'; text++) n += is_digit(*text) && (n || *text != '0');
+    return n;
+}
+
+/* The digits of a number, rounded to one less, with no zeros at their end.      returns 0: they cannot tell what printf would
+ * print, for there are none behind the point, or the last one is a 5, or all are 9 */
+static int drop_digit(char text[32])
+{
+    char *point = strchr(text, '.'), *end, *last;
+    if (!point) return 0;
+    end = point + 1 + strspn(point + 1, "0123456789");
+    last = end - 1;
+    if (last == point || *last == '5') return 0;
+    if (*last > '5') {
+        char *k = last - 1;
+        for (; k > text && (*k == '9' || *k == '.'); k--) if (*k == '9') *k = '0';
+        if (!is_digit(*k) || *k == '9') return 0;
+        ++*k;
+    }
+    for (last--; last > point && *last == '0'; last--) continue;
+    memmove(last > point ? last + 1 : point, end, strlen(end) + 1);
+    return 1;
+}
+
+/* 17 digits tell every number apart (of float 9), `sure` print all that has fewer. printf is slow, so it is asked once. */
 const char *text_shortest(sp_real x, char text[32])
 {
-    const int most = sizeof(sp_real) == 8 ? 17 : 9, sure = sizeof(sp_real) == 8 ? 15 : 6;
+    const int sure = sizeof(sp_real) == 8 ? 15 : 6;
     char shorter[32];
-    int digits = most;
-    while (digits > sure && reads_back(x, digits - 1, shorter)) {
-        digits--;
+    if (sizeof(sp_real) == 8) snprintf(text, 32, "%.17g", (double)x);
+    else snprintf(text, 32, "%.9g", (double)x);
+    for (int digits = count_digits(text); digits > sure && digits <= 17; digits = count_digits(text)) {
+        memcpy(shorter, text, sizeof shorter);
+        if (!drop_digit(shorter)) snprintf(shorter, sizeof shorter, "%.*g", digits - 1, (double)x);
+        if (!reads_as(x, shorter)) break;
         memcpy(text, shorter, sizeof shorter);
     }
-    if (digits == most) snprintf(text, 32, "%.*g", most, (double)x);
     return text;
 }
 
