@@ -215,8 +215,9 @@ SP__NOINLINE static int sp__shear_tree(sp__shear *w)
             found++;
         }
     }
+    if (found < pb->blocks) return 0;
     for (int32_t k = 0; k < w->n; k++) w->u[(size_t)k * (size_t)w->n + (size_t)k] += 1;
-    return found == pb->blocks;
+    return 1;
 }
 
 /* Is u at rest in every held direction, so that what holds it there does no work on u? */
@@ -307,8 +308,6 @@ SP__NOINLINE static sp__shear *sp__shear_make(sp__certifier *j, const sp_real *f
     sp__shear_carve(w, pb->points, pb->contacts, pb->blocks, a);
     if (sp__failed(a)) return NULL;
     w->j = j;
-    memset(w->u, 0, (size_t)w->n * (size_t)w->n * sizeof *w->u);
-    memset(w->even, 0, 3 * (size_t)pb->points * sizeof *w->even);
     sp__certifier_load_rows(j);
     if (!sp__shear_pairs(w, f)) return NULL;
     for (int32_t c = 0; c < pb->contacts; c++) if (!sp__shear_joint(w, j, c, f)) return NULL;

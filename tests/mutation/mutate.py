@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """mutate: does a test notice when one place of the library is wrong?
 
-    python3 -B tests/mutation/mutate.py [--of proof|verify|limit|core|PATH...] [--sample N] [--seed N] [--jobs N] [--hashes]
+    python3 -B tests/mutation/mutate.py [--of proof|verify|limit|core|PATH...] [--sample N] [--seed N] [--jobs N] [--guided] [--hashes]
                                         [--line FILE:N] [--list] [--table FILE] [--least PERCENT] [--kept FILE [--minutes M]]
 
 Each mutant is the library with one place changed: a relation, an arithmetic sign, a number, a condition negated, a statement left out.
@@ -11,6 +11,8 @@ unchanged library, so what no longer ends is noticed too; those that take longer
 its white-box suites once more, with sanitizers and a fence behind every piece of memory. `survived` are those that
 no test noticed. What changes nothing that anyone could see is listed in equivalents.txt, one line of argument each, and left out.
 
+    --guided    a suite is asked only where it reaches the changed line, by gcov; it takes minutes to find out which do, and is for
+                large samples of the core
     --hashes    a second score: survivors that the stored hashes of tests/corpus notice
     --kept      what was killed, a line each, is read from it and written to it: a run goes in pieces that add up; survivors are
                 written, too, and asked again by --again alone (killed stays killed while tests are only added)
@@ -18,7 +20,7 @@ no test noticed. What changes nothing that anyone could see is listed in equival
     --table     adds a row for each folder to a CSV: what, mutants, killed, equivalent, invalid
     --least     exit status 1 where fewer per cent are killed
 """
-import argparse, os, random, re, resource, shutil, subprocess, sys, time
+import argparse, json, os, random, re, resource, shutil, subprocess, sys, time
 from concurrent.futures import ThreadPoolExecutor
 
 HERE = 'tests/mutation/'
@@ -34,7 +36,7 @@ SETS = {
 JUDGES = ['moving', 'scale', 'search', 'forces', 'spin', 'leaf', 'corner', 'refute', 'still', 'shear', 'triple', 'verify', 'claims',
           'strong', 'shapes', 'spared', 'attack', 'exact', 'coupled', 'strength', 'closed', 'sliding']
 VERIFIES = ['hint', 'verify', 'islands', 'claims', 'arguments', 'exact', 'memory', 'capacity', 'strong']    # of verify alone
-LIMITS = ['count', 'limit', 'arguments', 'bracket', 'spent', 'effort', 'sliding']  # of limit alone
+LIMITS = ['ask', 'ends', 'climb', 'moves', 'count', 'limit', 'arguments', 'bracket', 'spent', 'effort', 'sliding']  # of limit alone
 FIRST = ('tally', 'count')      # they count work, which hardly any change leaves as it was
 NOT_CORE = ('host', 'settle', 'small')          # of the core all other suites are asked, their quick tests
 # What a survivor is asked by once more, fenced.
@@ -145,9 +147,11 @@ class Suites:
     """Suites, compiled once, and two runners over them: quick tests, then the others that take no more than SLOW."""
     def __init__(self, names, work, compiler, quick):
         self.work, self.compiler, self.quick, self.parts, self.objects = work, compiler, quick, {}, {}
+        self.reach, self.took = None, {}
         os.makedirs(work, exist_ok=True)
         where = {re.sub(r'.*/test_(\w+)\.c', r'\1', p): p for p in glob('tests/*/test_*.c')}
         self.names = [n for n in names if n in where]
+        self.where = where
         sources = [where[n] for n in self.names] + ['tests/scenes/gen.c']
         with ThreadPoolExecutor(os.cpu_count()) as pool: list(pool.map(self.compile_once, sources))
         self.runners = [self.runner('all', [])]
@@ -184,11 +188,45 @@ class Suites:
         first = {n: sum(ms for t, ms in took if t.startswith(n + '/') and ms <= QUICK) for n in self.names}
         self.names.sort(key=lambda n: (n not in FIRST, first[n]))
         quick = [t for t, ms in took if ms <= QUICK]
+        self.took = {n: first[n] / 1000 for n in self.names if any(t.startswith(n + '/') for t in quick)}
         slow = [t for t, ms in took if QUICK < ms <= SLOW and not self.quick]
         parts = [(name, which) for name, which in (('quick', quick), ('slow', slow)) if which]
         self.runners = [self.runner(name, [t for t, ms in took if t not in which]) for name, which in parts]
         self.seconds = [sum(ms for t, ms in took if t in which) / 1000 for _, which in parts]
         return len(quick), len(slow), len(took)
+
+
+    def guide(self):
+        """Which lines of the unchanged library each suite's quick tests reach, by gcov."""
+        at = os.path.abspath(self.work)
+        library = self.gcc('stonepack.c', 'cover', ['--coverage'])
+        self.reach = {}
+
+        def reached(name):
+            here = os.path.join(at, 'of_' + name)
+            shutil.rmtree(here, ignore_errors=True)
+            os.makedirs(here)
+            suite = self.gcc(self.where[name], 'cover_' + name, ['--coverage'])
+            runner = self.gcc('tests/run.c', 'run_' + name, ['-DTEST_SUITES=X(%s)' % name,
+                                                             '-DTEST_LEAVE_OUT="%s"' % os.path.join(at, 'quick.h')])
+            program = os.path.join(here, 'run')
+            done = run(['gcc', '--coverage', suite, runner, library, self.objects['tests/scenes/gen.c'], '-lm', '-o', program])
+            assert done.returncode == 0, done.stderr
+            run([program], env=dict(os.environ, GCOV_PREFIX=here, GCOV_PREFIX_STRIP='99'))
+            for notes in ('cover', 'cover_' + name): shutil.copy(os.path.join(at, notes + '.gcno'), here)
+            told = run(['gcov', '--json-format', '--stdout', 'cover.gcda', 'cover_%s.gcda' % name], cwd=here).stdout
+            for file in (f for line in told.splitlines() if line.startswith('{') for f in json.loads(line)['files']):
+                lines = self.reach.setdefault(os.path.normpath(file['file']), {})
+                for l in file['lines']: lines.setdefault(l['line_number'], set()).update([name] if l['count'] else [])
+            shutil.rmtree(here)
+
+        for name in self.took: reached(name)
+
+    def reaching(self, path, number):
+        """Suites that reach a line, or the last one before it that was counted: quick ones, then those that count, then all others."""
+        lines = self.reach[path]
+        counted = max((l for l in lines if l <= number), default=min(lines))
+        return sorted(lines[counted], key=lambda n: (self.took[n] > 0.06 and n not in FIRST, self.took[n] > 0.06, self.took[n]))
 
 
 def glob(pattern):
@@ -241,15 +279,36 @@ class Room:
         assert done.returncode == 0, done.stderr
         return out
 
+    def noticed(self, command, seconds):
+        """The test that noticed, of a runner that takes so many seconds of the unchanged library; or None."""
+        most = int(SLACK * seconds + 2)
+        limit = lambda: (resource.setrlimit(resource.RLIMIT_CPU, (most, most + 1)),
+                         resource.setrlimit(resource.RLIMIT_CORE, (0, 0)))
+        try: done = run(command, preexec_fn=limit, timeout=20 * most)
+        except subprocess.TimeoutExpired: return 'time'
+        return (re.findall('FAILED (\\S+)', done.stdout) or ['crash or time'])[0] if done.returncode else None
+
     def ask(self, runners):
         """The test that noticed, or None."""
         for link, seconds in zip(runners, self.suites.seconds):
-            most = int(SLACK * seconds + 2)
-            limit = lambda: (resource.setrlimit(resource.RLIMIT_CPU, (most, most + 1)),
-                             resource.setrlimit(resource.RLIMIT_CORE, (0, 0)))
-            try: done = run([link()], preexec_fn=limit, timeout=20 * most)
-            except subprocess.TimeoutExpired: return 'time'
-            if done.returncode: return (re.findall('FAILED (\\S+)', done.stdout) or ['crash or time'])[0]
+            by = self.noticed([link()], seconds)
+            if by: return by
+        return None
+
+    def ask_guided(self, path, number):
+        """The same, of suites that reach the line alone; those that include the file are compiled anew, one by one."""
+        program = None
+        for name in self.suites.reaching(path, number):
+            source = self.suites.where[name]
+            if path in self.suites.parts[source]:
+                assert self.compile(source, 'white.o'), source     # as the library did
+                runner = os.path.join(self.suites.work, 'run_%s.o' % name)
+                asked = self.link('white', [runner, self.at + '/white.o', self.suites.objects['tests/scenes/gen.c']])
+            else:
+                program = program or self.link('run0', [self.suites.runners[0], *self.suites.objects.values()])
+                asked = program
+            by = self.noticed([asked, name + '/'], self.suites.took[name])
+            if by: return by
         return None
 
     def fenced(self, changed):
@@ -261,8 +320,9 @@ class Room:
                  'tests/base/fence.h', '-DTEST_FIRST=1']
         for source in white:
             done = run(['gcc', *flags, '-DTEST_SUITES=X(%s)' % name(source), '-c', source, '-o', 'fenced.o'], cwd=self.at)
-            linked = run(['gcc', '-fsanitize=address,undefined', 'fenced.o', self.suites.fence(name(source)), 'library.o', '-lm',
-                          '-z', 'noexecstack', '-o', 'fenced'], cwd=self.at)
+            linked = run(['gcc', '-fsanitize=address,undefined', 'fenced.o', self.suites.fence(name(source)), 'library.o',
+                          os.path.abspath(self.suites.objects['tests/scenes/gen.c']), '-lm', '-z', 'noexecstack', '-o', 'fenced'],
+                         cwd=self.at)
             assert not done.returncode and not linked.returncode, done.stderr + linked.stderr
             limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (60, 61))
             if run(['./fenced'], cwd=self.at, preexec_fn=limit).returncode: return name(source) + ', fenced'
@@ -289,9 +349,10 @@ class Room:
         lines[number - 1] = new
         with open(there, 'w') as f: f.write('\n'.join(lines))
         try:
-            runners = self.build(path)
+            runners = self.compile('stonepack.c', 'library.o') if self.suites.reach else self.build(path)
             if not runners: return 'invalid', ''
-            by = self.ask(runners) or self.fenced([path])
+            by = self.ask_guided(path, number) if self.suites.reach else self.ask(runners)
+            by = by or self.fenced([path])
             if by: return 'killed', by
             return 'survived', 'hashes' if ask_hashes and self.hashes() else ''
         finally:
@@ -311,6 +372,7 @@ def main():
     say.add_argument('--line', action='append', default=[])
     say.add_argument('--suites', nargs='+')
     say.add_argument('--hashes', action='store_true')
+    say.add_argument('--guided', action='store_true')
     say.add_argument('--list', action='store_true')
     say.add_argument('--quiet', action='store_true')
     say.add_argument('--kept')
@@ -347,6 +409,7 @@ def main():
     assert not noticed, 'the unchanged library fails: ' + noticed
     noticed = rooms[0].ask(rooms[0].build(None))
     assert not noticed, 'the unchanged library fails, in parts: ' + noticed
+    if args.guided: suites.guide()
     print('%d quick tests and %d slow ones, %.1f s, of %d' % (*counts[:2], sum(suites.seconds), counts[2]), flush=True)
 
     free, kept, end = list(rooms), Kept(args.kept), time.time() + 60 * args.minutes

@@ -330,6 +330,37 @@ TEST(what_no_force_balances_is_measured_by_its_load)
     }
 }
 
+/* A pebble that no force balances, beside a block 1e8 times as heavy, in float 1e4: 10000 u of all loads may hide in its f0
+ * by rounding. Counted twice, loads are not summed twice. */
+TEST(a_cap_counts_what_rounding_of_all_loads_may_hide)
+{
+    const sp_capacity room = { 3, 0, 0, 0, 2, 5, 0 };
+    const sp_real at[3] = { R(0.3), 0, 1 }, far[3] = { 50, 0, 1 }, up[3] = { 0, 0, 1 }, ground[3] = { 0, 0, -1 };
+    const sp_real foot[3] = { 0, 0, 0 }, feet[12] = { 49, -1, 0, 51, -1, 0, 51, 1, 0, 49, 1, 0 };
+    const sp_strength rough = { R(0.5), 0, 0, 0 };
+    one_block o;
+    memset(&o, 0, sizeof o);
+    o.set.tol = R(TOL(1e-9, 1e-4f));
+    o.set.force_bound = 100;
+    NEED(CHECK_INT(sp_scene_create(&o.scene, &room, &test_arena), SP_OK));
+    NEED(CHECK_INT(sp_scene_body(&o.scene, 0, ground, SP_FIXED, NULL), SP_OK));
+    NEED(CHECK_INT(sp_scene_body(&o.scene, R(1e-4), at, 0, NULL), SP_OK));
+    NEED(CHECK_INT(sp_scene_body(&o.scene, R(TOL(1e4, 1)), far, 0, NULL), SP_OK));
+    NEED(CHECK_INT(sp_scene_points(&o.scene, 0, 1, up, 1, foot, &rough, NULL), SP_OK));
+    NEED(CHECK_INT(sp_scene_joint(&o.scene, 0, 2, 4, feet, &rough, NULL), SP_OK));
+    NEED(CHECK_INT(sp_problem_build(&o.scene, &test_arena, &o.pb), SP_OK));
+    NEED(judge(&o, NULL));
+    const sp__scale *s = &o.j.scale[0];
+    const double hidden = 10000 * (double)SP_EPSILON * (double)o.j.total, f0 = (double)o.j.pass.sums[0];
+    CHECK_INT(s->known, 0);
+    CHECK_INT(o.j.scale[1].known, 1);
+    CHECK(hidden > TOL(1e-5, 1e-2) * (double)s->load);
+    CHECK_NEAR(s->force_cap, (double)s->load + f0 + hidden, TOL(1e-14, 1e-6));
+    const sp_real total = o.j.total;
+    sp__certifier_scales(&o.j, NULL);
+    CHECK_NEAR(o.j.total, total, 0);
+}
+
 /* A block that touches nothing has no weights, one whose only point is its centroid none of rotation. */
 TEST(what_has_no_corner_or_no_arm_has_no_weight)
 {
@@ -426,6 +457,7 @@ TEST_LIST(scale)
     RUN(what_a_potential_leaves_unbalanced_is_summed_corner_by_corner)
     RUN(without_sweeps_scales_are_those_of_the_loads)
     RUN(what_no_force_balances_is_measured_by_its_load)
+    RUN(a_cap_counts_what_rounding_of_all_loads_may_hide)
     RUN(what_has_no_corner_or_no_arm_has_no_weight)
     RUN(f0_balances_a_block_up_to_its_allowance)
     RUN(a_hint_is_read_row_by_row)

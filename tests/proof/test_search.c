@@ -95,21 +95,110 @@ TEST(a_search_for_scales_ends_where_it_stalls_and_has_lost_nothing)
         for (int r = 0; r < 24; r++) image[r] -= first[r];
         const double was = sqrt((double)sp__dot(first, first, 24)), far = sqrt((double)sp__dot(to, to, 24));
         worse += k % 2 == 0 && !(sqrt((double)sp__dot(image, image, 24)) <= was + 1000 * (double)SP_EPSILON * (was + far));
+        int stalled = 0;
         for (int32_t most = 1; most <= sweeps; most += 102) {       /* what the search sees at each of these places */
             CHECK_INT(searched(&o, first, most, to), most);
             const sp_real rr = sp__dot(o.j.residual, o.j.residual, 24), gg = sp__dot(o.j.image, o.j.image, 24);
-            const int stalled = most > 1 && rr > (sp_real)0.9 * last_r && gg > last_g / 2;
+            stalled = most > 1 && rr > (sp_real)0.9 * last_r && gg > last_g / 2;
             if (stalled) CHECK_INT(sweeps, most);
             stalls += stalled;
             last_r = rr;
             last_g = gg;
         }
-        if (sweeps > 1 && sweeps % 102 == 1) CHECK(stalls > 0);
+        if (sweeps > 1 && sweeps % 102 == 1) CHECK(stalled);
         test_arena = mark;
     }
     CHECK_INT(worse, 0);
     TEST_PRINT("    %d stall, %d go on after the first look\n", stalls, goes_on);
     CHECK(goes_on > 0 && (stalls > 1 || TOL(0, 1)));
+}
+
+/* It ends at the first residual r that is SP__SCALE_TOL of where it began, or that nothing lowers: |G r| <= SP__SCALE_NULL |r|.
+ * Neither knows units. */
+TEST(a_search_for_scales_ends_as_soon_as_its_residual_is_small_or_least)
+{
+    const sp_real solved = SP__SCALE_TOL * SP__SCALE_TOL, null = SP__SCALE_NULL * SP__SCALE_NULL;
+    uint32_t draws = 20261127;
+    int small = 0, least = 0;
+    for (int k = 0; k < 60; k++) {
+        const sp_arena mark = test_arena;
+        const double size = k % 3 == 0 ? 1 : k % 3 == 1 ? 1e-3 : 1e3;
+        one_block o;
+        sp_real to[24], first[24];
+        NEED(chain(&o, &draws));
+        NEED(judge(&o, NULL));
+        for (int r = 0; r < 24; r++) first[r] = R(size * test_draw(&draws, -1, 1));
+        if (k % 2) {                                    /* what G makes of a motion can be undone, of others a part is left */
+            sp__certifier_normal_product(&o.j, first, to);
+            memcpy(first, to, sizeof first);
+        }
+        const sp_real start = sp__dot(first, first, 24);
+        const int32_t sweeps = searched(&o, first, INT32_MAX, to);
+        if (sweeps > 2 && sweeps % 102 != 1 && sweeps < 1025)
+            for (int before = 0; before < 2; before++) {        /* at the end, and a step before it */
+                searched(&o, first, sweeps - before, to);
+                const sp_real rr = sp__dot(o.j.residual, o.j.residual, 24), gg = sp__dot(o.j.image, o.j.image, 24);
+                CHECK_INT(rr <= solved * start || gg <= null * rr, !before);
+                small += !before && rr <= solved * start;
+                least += !before && gg <= null * rr;
+            }
+        test_arena = mark;
+    }
+    TEST_PRINT("    %d small, %d least\n", small, least);
+    CHECK(small > 0 && least > 0);
+}
+
+/* Sweeps that f0 takes with no hint: looked at, solved for, then corrected up to twice. A look is a sweep, and from the second on
+ * one more for whether anything lowers what is left, the fourth time up to rounding; neither a look nor a search begins with
+ * fewer than two sweeps left.     returns whether it settled */
+static int looked_and_searched(one_block *o, int32_t most)
+{
+    sp__certifier *j = &o->j;
+    j->sweeps = 0;
+    j->sweeps_most = most;
+    for (int r = 0; r < 24; r++) j->dual.potential[r] = j->correction[r] = 0;
+    for (int look = 1; look <= 4 && most - j->sweeps >= 2; look++) {
+        if (sp__certifier_sums(j) == 0) return 1;
+        sp__certifier_scale_rows(j, j->residual);
+        if (look > 1 && sp__certifier_is_optimal(j, look == 4)) return 1;
+        if (look == 4 || most - j->sweeps < 2) return 0;
+        for (int r = 0; r < 24; r++) j->residual[r] *= -1;
+        sp__certifier_least_squares(j, look == 1 ? j->dual.potential : j->correction);
+    }
+    return 0;
+}
+
+TEST(f0_is_looked_at_four_times_and_searched_for_three)
+{
+    uint32_t draws = 20261128;
+    int settled = 0, open = 0, corrected = 0;
+    for (int k = 0; k < SOME_OF(120, 40); k++) {
+        const sp_arena mark = test_arena;
+        one_block o;
+        sp_real potential[24], correction[24];
+        NEED(chain(&o, &draws));
+        NEED(judge(&o, NULL));
+        const int32_t all = o.j.sweeps;
+        for (int32_t most = 2; most < 64; most += most < 12 ? 1 : all > 40 ? all / 6 : 7) {
+            for (int r = 0; r < 24; r++) o.j.dual.potential[r] = o.j.correction[r] = 7;
+            o.j.sweeps = 0;
+            o.j.sweeps_most = most < 52 ? most : INT32_MAX;
+            const int got = sp__certifier_bilateral(&o.j, NULL);
+            const int32_t sweeps = o.j.sweeps;
+            memcpy(potential, o.j.dual.potential, sizeof potential);
+            memcpy(correction, o.j.correction, sizeof correction);
+            CHECK_INT(looked_and_searched(&o, o.j.sweeps_most), got);
+            CHECK_INT(o.j.sweeps, sweeps);
+            CHECK_INT(memcmp(potential, o.j.dual.potential, sizeof potential), 0);
+            CHECK_INT(memcmp(correction, o.j.correction, sizeof correction), 0);
+            settled += got;
+            open += !got;
+            for (int r = 0; r < 24; r++) corrected += correction[r] < 0 || correction[r] > 0;
+        }
+        test_arena = mark;
+    }
+    TEST_PRINT("    %d settled, %d open, %d corrected\n", settled, open, corrected);
+    CHECK(settled > 0 && open > 0 && corrected > 0);
 }
 
 /* 2^e, the same to the bit on every target: what comes of these weights depends on it. */
@@ -257,6 +346,8 @@ TEST_LIST(search)
     RUN(the_normal_product_is_that_of_corner_forces)
     RUN(a_residual_that_is_no_number_moves_nothing)
     RUN(a_search_for_scales_ends_where_it_stalls_and_has_lost_nothing)
+    RUN(a_search_for_scales_ends_as_soon_as_its_residual_is_small_or_least)
+    RUN(f0_is_looked_at_four_times_and_searched_for_three)
     RUN(a_search_for_scales_ends_after_a_thousand_steps_and_one_for_each_row)
     RUN(a_search_for_scales_whose_products_overflow_takes_no_step)
     RUN(a_residual_is_the_least_up_to_its_allowance)

@@ -11,7 +11,7 @@
 #include <math.h>
 
 enum { BLOCKS = 5, CORNERS = 3, ROWS = 6 * BLOCKS };
-enum { TREE, LOOP, RING };
+enum { TREE, LOOP, RING, LOOSE };
 
 static sp_scene scene;
 static sp_problem pb;
@@ -34,7 +34,8 @@ static int joint(int32_t a, int32_t b)
     return CHECK_INT(sp_scene_points(&scene, turned ? b : a, turned ? a : b, n, CORNERS, x, &rough, NULL), SP_OK);
 }
 
-/* Blocks hung on a support or on each other at random, in any order of joints; LOOP: one joint more; RING: on each other alone. */
+/* Blocks hung on a support or on each other at random, in any order of joints; LOOP: one joint more; RING: on each other
+ * alone; LOOSE: the last one on nothing. */
 static int begin(int kind)
 {
     const sp_capacity cap = { BLOCKS + 1, 0, 0, 0, BLOCKS + 1, CORNERS * (BLOCKS + 1), 0 };
@@ -43,7 +44,7 @@ static int begin(int kind)
         const sp_real at[3] = { test_random_real(-2, 2), test_random_real(-2, 2), test_random_real(-2, 2) };
         if (!CHECK_INT(sp_scene_body(&scene, b ? R(1) : 0, at, b ? 0 : SP_FIXED, NULL), SP_OK)) return 0;
     }
-    for (int32_t b = BLOCKS; b > 0; b--)
+    for (int32_t b = BLOCKS - (kind == LOOSE); b > 0; b--)
         if (!joint(b, kind != RING ? test_random_int(0, b - 1) : b > 1 ? b - 1 : BLOCKS)) return 0;
     if (kind == LOOP && !joint(0, BLOCKS)) return 0;
     memset(M, 0, sizeof M);
@@ -121,6 +122,13 @@ TEST(around_a_loop_there_is_no_sheared_motion)
         CHECK(!sp__shear_open(&pb) || !sp__shear_pairs(w, f));      /* or a pair twice, in two planes */
         test_arena = mark;
     }
+}
+
+TEST(a_block_that_hangs_on_nothing_is_in_no_tree)
+{
+    NEED(begin(LOOSE));
+    draw(0.4);
+    CHECK_INT(sp__shear_tree(w), 0);
 }
 
 /* What stands beside u stays as it was. */
@@ -673,6 +681,7 @@ TEST_LIST(shear)
 #if SP__WITH_STRONG
     RUN(in_the_sheared_motion_joints_slip_alike_and_open_by_less_what_friction_takes_up)
     RUN(around_a_loop_there_is_no_sheared_motion)
+    RUN(a_block_that_hangs_on_nothing_is_in_no_tree)
     RUN(the_motion_of_a_tree_is_written_where_it_belongs)
     RUN(the_power_of_the_sheared_motion_with_m_a_is_what_the_factor_says)
     RUN(even_friction_is_in_the_plane_of_its_joint_and_within_mu)
