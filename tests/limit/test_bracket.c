@@ -296,6 +296,68 @@ TEST(glued_and_crushed_scenes_end_where_verdicts_change)
     if (several[SP_LIMIT_UNDECIDED]) TEST_PRINT("    %d of %d undecided\n", several[SP_LIMIT_UNDECIDED], SOME_OF(80, 30));
 }
 
+/* A wall of two courses of those joints, stone b held in these directions and pushed at its middle by the live load `at`.
+ *     returns 0: there is no such stone, or it is a support */
+static int pushed_wall(sp_scene *s, sp_load *at, sp_strength strength, int32_t b, uint32_t held, double x, double y, double z)
+{
+    test_arena.used = 0;
+    if (!CHECK_INT(gen_make("wall", "rows", 2, &test_arena, s), SP_OK)) return 0;
+    if (b >= s->count.blocks || s->block[b].fixed == SP_FIXED) return 0;
+    for (int32_t i = 0; i < s->count.joints; i++) {
+        strength.mu = s->joint[i].strength.mu;
+        s->joint[i].strength = strength;
+    }
+    s->block[b].fixed = held;
+    memset(at, 0, sizeof *at);
+    at->block = b;
+    at->live = 1;
+    at->force[0] = R(x); at->force[1] = R(y); at->force[2] = R(z);
+    for (int k = 0; k < 3; k++) at->point[k] = s->block[b].centroid[k];
+    s->load = at;
+    s->count.loads = s->capacity.loads = 1;
+    return 1;
+}
+
+/* Stones held in part, pushed at a slant through glued joints: friction bears any push there, and its forces leave most stones
+ * without any. A question about live loads alone stayed open for that, and the bracket had no upper end. */
+TEST(a_push_that_friction_bears_has_no_end_in_glued_joints)
+{
+    static const uint32_t held[] = { 0, 5, 26, 38, 55, 59 };
+    const sp_strength glued = { 0, R(1e5), R(2.5e4), 0 };
+    int endless = 0;
+    if (sizeof(sp_real) > 8) return;                    /* a tol of 113 bits leaves 12 of the 90 open */
+    for (int k = 0; k < 6; k++)
+        for (int32_t b = 1; b < 16; b++) {
+            sp_scene s;
+            sp_load at;
+            if (!pushed_wall(&s, &at, glued, b, held[k], 270, 47, -375)) continue;
+            const sp_limit_result x = limit_of(&s, NULL);
+            if (!CHECK(x.kind != SP_LIMIT_UNDECIDED))
+                TEST_PRINT("    stone %d held %u: %g .. %g\n", (int)b, (unsigned)held[k], (double)x.lower, (double)x.upper);
+            endless += x.kind == SP_LIMIT_UNBOUNDED;
+        }
+    CHECK(endless > 20);
+}
+
+/* A wall that its own weight crushes falls at every multiple of a push on one stone, by a motion in which the push does no work.
+ * Where the push hindered the collapse found first, that motion was never asked for at 0. */
+TEST(what_falls_beside_the_pushed_stone_has_no_multiplier)
+{
+    const sp_strength weak = { 0, R(1000), R(250), R(7036) };
+    int none = 0;
+    for (int32_t b = 1; b < 40; b++)
+        for (int way = 0; way < 4; way++) {
+            sp_scene s;
+            sp_load at;
+            if (!pushed_wall(&s, &at, weak, b, 48, way & 1 ? 200 : -200, -36, way & 2 ? 330 : -330)) continue;
+            const sp_limit_result x = limit_of(&s, NULL);
+            if (!CHECK_INT(x.kind, SP_LIMIT_NONE))
+                TEST_PRINT("    stone %d way %d: %g .. %g\n", (int)b, way, (double)x.lower, (double)x.upper);
+            none += x.kind == SP_LIMIT_NONE;
+        }
+    CHECK(none > 20);
+}
+
 /* Scenes with a mirror that live loads share, and without. */
 static const struct { const char *name, *param; double value, x, y; int planar; } mirrored[] = {
     { "wall", "size", 40, 1, 0, 1 }, { "wall", "size", 40, -1, 0, 1 }, { "wall", "size", 40, 0, 1, 0 }, { "wall", "size", 150, 1, 0, 1 },
@@ -563,6 +625,8 @@ TEST_LIST(bracket)
     RUN(the_multiple_at_which_the_scene_stands_is_not_read)
     RUN(bisection_of_verdicts_ends_within_the_bracket)
     RUN_FULL(glued_and_crushed_scenes_end_where_verdicts_change)
+    RUN_FULL(a_push_that_friction_bears_has_no_end_in_glued_joints)
+    RUN_FULL(what_falls_beside_the_pushed_stone_has_no_multiplier)
     RUN_FULL(what_has_a_mirror_is_searched_in_its_plane_for_less_work)
     RUN_FULL(a_limit_takes_less_than_four_times_the_work_of_a_check_that_falls)
     RUN(a_changed_claim_is_not_held)
