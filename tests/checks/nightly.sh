@@ -75,6 +75,8 @@ if /usr/bin/python3 -c 'import numpy, scipy.optimize' 2> /dev/null; then
     done
     line "100 limits of joints with strength" \
         /usr/bin/python3 -B tests/oracle/random.py --kind strength --limits --count 100 --seed "$(date +%Y%m%d)"
+    line "60 small coupled scenes against a search of another kind" \
+        /usr/bin/python3 -B tests/oracle/coupled.py --count 60 --seed "$(date +%Y%m%d)"
 else skip "random scenes against linear programming" "python3-numpy python3-scipy"; fi
 if have g++; then line "battery: 20 samples of random rounding" sh "$0" instrument chance; else skip "random rounding" g++; fi
 if have clang-19; then line "battery: shadows of 113 bits" sh "$0" instrument shadows

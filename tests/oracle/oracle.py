@@ -267,7 +267,7 @@ def strong_programme(problem, walls, pg, ph):
     cost = np.zeros(n + 1)
     cost[n] = -1.0
     tight = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
-    for method, options in (("highs", tight), ("highs-ds", {}), ("highs-ipm", {})):
+    for method, options in (("highs-ipm", tight), ("highs", tight), ("highs-ds", {}), ("highs-ipm", {})):
         s = linprog(cost, A_ub=hstack([G, csc_matrix((G.shape[0], 1))]).tocsc(), b_ub=h, A_eq=M, b_eq=-pg,
                     bounds=[(None, None)] * n + [(-1e3, 1e3)], method=method, options=options)
         if s.status in (0, 2):
@@ -311,17 +311,25 @@ def outside(problem, turns):
     return problem.rays(edges)
 
 
+def bound(problem, turns, newton, pg, ph, inner):
+    """The limit for pyramids inside of the true cones, or outside."""
+    if problem.strong:
+        return strong_programme(problem, problem.walls(turns, newton, inner), pg, ph)
+    return programme(problem, (inside if inner else outside)(problem, turns), pg, ph)
+
+
 def true_cone(problem, g, h, newton, gap=1e-7, rounds=40):
     """The limit for the true cone, closed in by pyramids inside and outside of it."""
     pg, ph = problem.load(g, newton), problem.load(h)
     turns = [[2 * math.pi * k / 16 for k in range(16)] for _ in problem.mu]
-    best = None
+    best, before = None, math.inf
     for _ in range(rounds):
-        if problem.strong:
-            inner, outer = (strong_programme(problem, problem.walls(turns, newton, k), pg, ph) for k in (1, 0))
-        else:
-            inner = programme(problem, inside(problem, turns), pg, ph)
-            outer = programme(problem, outside(problem, turns), pg, ph)
+        outer = bound(problem, turns, newton, pg, ph, inner=False)
+        if problem.strong and outer.status == "limit" and before - outer.high > gap:    # far from it: the inside can wait
+            before = outer.high
+            refine(problem, turns, (outer.f,), newton)
+            continue
+        inner = bound(problem, turns, newton, pg, ph, inner=True)
         if outer.status != "limit":
             return outer if inner.status == outer.status else Limit("trouble")
         if inner.status == "limit":
