@@ -4,6 +4,7 @@
 #     ONLY=text    only boards whose names contain the text
 #     STRICT=1     what could not be run counts as a failure
 #     WHOLE="m4f-float m7-double"    the tests on these only, the corpus everywhere; else the tests, too, on all of the table
+#     MOST=16000   tests of more work are left out, in thousands of steps [board.mk]
 #
 # `boards.sh NAME` runs that board alone, in place.
 . tests/checks/tally.sh
