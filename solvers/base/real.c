@@ -37,6 +37,16 @@ SP__NOINLINE_SMALL static sp_real sp__max(sp_real x, sp_real y) { return x < y ?
 static sp_real sp__within(sp_real x, sp_real low, sp_real high) { return x < low ? low : x > high ? high : x; }
 #endif
 
+#if SP__WITH_STRONG || SP__WITH_COUPLED
+/* The next of numbers without pattern.                                                        [xorshift32: Marsaglia 2003] */
+static uint32_t sp__random(uint32_t x)
+{
+    x ^= x << 13;
+    x ^= x >> 17;
+    return x ^ x << 5;
+}
+#endif
+
 /* x - x is 0 for a number, NaN for an infinity or a NaN. */
 SP__NOINLINE_SMALL static int sp__finite(sp_real x) { return x - x >= 0; }
 

@@ -5,6 +5,7 @@
 
 #include "point.c"
 #include "help.c"
+#include "reflect.c"
 #include "alternate.c"
 #include "forest.c"
 
@@ -114,6 +115,7 @@ SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
     if (!o) return -1;
     if (sp__cra_mirror(c->pb, c->set, o)) {
         if (!sp__cra_open(c, limit < left ? limit : left, o, a)) return -1;
+        if (!sp__take(a, 1, sp__coupled_turns(c->pb, 0))) return -1;           /* which only the search in space needs */
         memset(c->spring.f, 0, 3 * (size_t)c->pb->points * sizeof *c->spring.f);      /* images keep it */
         sp__cra_begin(c);
         found = sp__cra_search(c);
@@ -127,26 +129,52 @@ SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
     return 0;
 }
 
-/* In space, by search unless one is found (`found`), then the decision. */
-SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *imbalance, sp_arena *a)
+/* By reflections from some of their starts, in the dual at hand.     returns as they do */
+static int sp__coupled_reflect(sp__cra *c, int first, int last, sp_state *state, sp_real *imbalance, sp_arena a)
+{
+    const int found = sp__cra_reflect(c, first, last, state->left, a);
+    if (found < 0) return found;
+    c->spent = c->w->budget.spent && c->w->budget.limit >= state->left;
+    c->out->residual = c->offer.residual;
+    if (found) sp__cra_write_result(c, state, imbalance);
+    return found;
+}
+
+/* In space, by search unless one is found (`found`), and by a few reflections. */
+SP__NOINLINE static sp_status sp__coupled_space(sp__cra *c, int found, sp_state *state, sp_real *imbalance, sp_arena *a)
 {
     const int64_t limit = c->out->cost.flops + SP__CRA_FLOPS;
-    const size_t mark = a->used;
+    const int seed = c->set->coupled.rounds > 0;
     if (!sp__cra_open(c, limit < state->left ? limit : state->left, NULL, a)) return SP_E_MEMORY;
-    const size_t turns = a->used, more = sp__alt_need(c->pb, c->set, *a);
-    if (more == SIZE_MAX || (more && !sp__take(a, 1, more))) return SP_E_MEMORY;
+    const size_t turns = a->used, more = sp__coupled_turns(c->pb, sp__alt_need(c->pb, c->set, *a));
+    if (more == SIZE_MAX || !sp__take(a, 1, more)) return SP_E_MEMORY;
     a->used = turns;
     if (!found) {
         sp__cra_begin(c);
-        found = c->set->coupled.rounds ? sp__alternate(c, a) : sp__cra_search(c);
+        found = seed ? sp__alternate(c, a) : sp__cra_search(c);
     }
     if (found < 0) return SP_E_MEMORY;
     c->out->residual = c->offer.residual;
     if (found) sp__cra_write_result(c, state, imbalance);
     else if (c->offer.made && c->offer.tiny) c->out->reason = SP_COUPLING_LIMIT;
     c->spent = c->w->budget.spent && limit >= state->left;
+    if (found || seed || c->spent) return SP_OK;
+    return sp__coupled_reflect(c, 0, SP__REFLECT_FIRST, state, imbalance, *a) < 0 ? SP_E_MEMORY : SP_OK;
+}
+
+/* In space, then the decision, then by all the reflections that would take longer than that. */
+SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *imbalance, sp_arena *a)
+{
+    const size_t mark = a->used;
+    sp_status status = sp__coupled_space(c, found, state, imbalance, a);
     a->used = mark;
-    return found || c->spent || c->mirror ? SP_OK : sp__coupled_decide(c, state, imbalance, a);
+    if (status || c->spent || c->out->verdict != SP_COUPLING_NOT_FOUND) return status;
+    if (!c->mirror) status = sp__coupled_decide(c, state, imbalance, a);
+    if (status || c->set->coupled.rounds || c->out->verdict != SP_COUPLING_NOT_FOUND) return status;
+    a->used = mark;
+    if (!sp__cra_open(c, state->left, NULL, a)) return SP_E_MEMORY;
+    sp__cra_begin(c);
+    return sp__coupled_reflect(c, SP__REFLECT_FIRST, SP__REFLECT_STARTS, state, imbalance, *a) < 0 ? SP_E_MEMORY : SP_OK;
 }
 
 /* Is there a triple? In the plane where there is one, then in space, unless that is left out. */

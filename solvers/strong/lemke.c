@@ -106,7 +106,7 @@ static void sp__lemke_start(sp__lemke *s, sp__sweep *w, uint32_t seed)
     s->dust = 0;
     for (int32_t i = 0; i < n; i++) {
         sp_real *t = sp__lemke_row(s, i);
-        seed = sp__sweep_random(seed);
+        seed = sp__random(seed);
         t[n] = (sp_real)(1u << (seed >> 8) % 8u) * (1 + (sp_real)((seed >> 16) % 1024u) / 1024);
         s->dust = sp__max(s->dust, SP__LEMKE_NEAR * sp__abs(t[n + 1]));
     }

@@ -55,7 +55,7 @@ static void sp__starts_choose(sp__starts *s, int32_t k)
     const int32_t V = s->sweep.corners;
     uint32_t seed = 2463534242u + 7919u * (uint32_t)k;
     for (int32_t v = 0; v < V; v++) {
-        seed = sp__sweep_random(seed);
+        seed = sp__random(seed);
         const uint32_t chance = 2u << (uint32_t)k % 3u, drawn = seed >> 8 & (chance - 1);
         s->sweep.on[v] = (uint8_t)(k < 2 ? 1 : V <= SP__STARTS_SUBSETS ? (k - 1) >> v & 1 : !drawn);
     }

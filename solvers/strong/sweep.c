@@ -38,14 +38,6 @@ static void sp__sweep_carve(sp__sweep *s, const sp_problem *pb, sp_arena *a)
     s->a = sp__take(a, (size_t)pb->blocks, 6 * sizeof *s->a);
 }
 
-/* The next of numbers without pattern.                                                        [xorshift32: Marsaglia 2003] */
-static uint32_t sp__sweep_random(uint32_t x)
-{
-    x ^= x << 13;
-    x ^= x >> 17;
-    return x ^ x << 5;
-}
-
 /* a += sign M^-1 Aeq of a force F at corner q. */
 static void sp__sweep_push(const sp__sweep *s, const sp__sweep_corner *q, const sp_real F[3], sp_real *a)
 {

@@ -400,6 +400,57 @@ TEST(as_friction_or_eta_grows_the_answer_turns_once)
     }
 }
 
+/* Two cubes of 1 m, 1.3 m from each other, held by four triangles: of A, of B, its corners. */
+typedef struct held { double mu; double corner[4][9]; } held;
+
+static const held pair[] = {
+    { 0.65, { { -.03, -.21, .48, -.15, -.02, .5, .03, .02, .52 },   { -.21, .64, -.29, -.4, .39, -.48, -.02, .48, -.56 },
+              { .62, -.07, .28, .64, -.28, -.08, .68, .12, -.27 },  { 1.81, -.11, -.34, 1.74, -.4, .2, 1.85, .28, .09 } } },
+    { 1.09, { { .2, 0, -.59, .47, -.38, -.15, .56, .23, -.12 },     { -.51, .26, .01, -.53, .05, -.19, -.4, .31, -.27 },
+              { .66, -.04, .27, .67, -.21, -.18, .62, .28, 0 },     { 1.8, .09, .05, 1.78, -.04, .18, 1.75, .14, .2 } } },
+    { 2.16, { { .48, -.02, .2, .36, -.19, .33, .38, .02, .36 },     { -.53, .21, -.09, -.44, -.2, -.32, -.37, .36, -.26 },
+              { .63, -.1, .15, .67, -.12, -.13, .67, .08, -.16 },   { .98, .1, -.46, .95, -.28, -.36, 1.24, -.33, -.46 } } },
+    { 0.51, { { .45, .39, -.17, .34, .32, -.41, .51, .28, -.23 },   { -.27, .16, .52, -.43, -.33, .26, -.52, .29, .12 },
+              { .73, .01, .31, .58, -.22, -.21, .61, .24, -.21 },   { 1.69, .14, -.37, 1.83, -.03, -.14, 1.72, .32, -.17 } } },
+    { 1.96, { { -.63, .02, -.08, -.08, -.2, -.6, -.37, .35, -.38 }, { .51, .09, .03, .49, -.1, .15, .46, .14, .2 },
+              { .71, -.1, .36, .62, -.38, -.02, .67, .38, -.02 },   { 1.15, .51, -.35, .8, .07, -.39, 1.45, .25, -.56 } } } };
+
+static void build_pair(const held *h, double unit, sp_scene *s)
+{
+    static const int32_t side[4][2] = { { 0, 1 }, { 0, 1 }, { 1, 2 }, { 0, 2 } };
+    const sp_capacity cap = { 3, 0, 0, 0, 4, 12, 0 };
+    const sp_strength strength = sp_strength_friction(R(h->mu));
+    test_arena.used = 0;
+    CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
+    for (int k = 0; k < 3; k++) {
+        const sp_real at[3] = { R(unit * (k ? 1.3 * (k - 1) : -9)), 0, 0 };
+        CHECK_INT(sp_scene_body(s, R(2400), at, k ? 0 : SP_FIXED, NULL), SP_OK);
+    }
+    for (int q = 0; q < 4; q++) {
+        sp_real xyz[9];
+        for (int k = 0; k < 9; k++) xyz[k] = R(unit * h->corner[q][k]);
+        CHECK_INT(sp_scene_joint(s, side[q][0], side[q][1], 3, xyz, &strength, NULL), SP_OK);
+    }
+}
+
+TEST(triples_that_springs_and_cases_miss_are_found_by_reflections)
+{
+    for (size_t k = 0; k < sizeof pair / sizeof *pair; k++)
+        for (int unit = 0; unit < 2; unit++) {
+            sp_settings asked_for = sp_settings_default();
+            sp_scene s;
+            sp_result r;
+            build_pair(&pair[k], unit ? 1024 : 1, &s);
+            asked_for.coupled.asked = 1;
+            const sp_coupling told = answer(&s, &asked_for, &r);
+#if !defined SP_REAL_FLOAT && !defined SP_REAL_MIXED
+            CHECK_INT(told, SP_COUPLING_COUPLED);
+#else
+            CHECK(told != SP_COUPLING_REFUTED);
+#endif
+        }
+}
+
 TEST(proofs_have_room_by_the_cube_of_the_corners_up_to_ten_megabytes)
 {
     static const int n[] = { 1, 2, 4, 11, 12 };
@@ -437,5 +488,6 @@ TEST_LIST(coupled)
     RUN(a_turn_with_gravity_units_order_sides_and_first_corners_leave_the_answer)
     RUN(a_triple_stays_one_where_more_is_allowed_or_all_is_scaled)
     RUN(as_friction_or_eta_grows_the_answer_turns_once)
+    RUN(triples_that_springs_and_cases_miss_are_found_by_reflections)
     RUN(proofs_have_room_by_the_cube_of_the_corners_up_to_ten_megabytes)
 TEST_END
