@@ -497,7 +497,7 @@ static int sp__alt_look(sp__alt *m, sp_real *worst)
 }
 
 /* Rounds of forces and motion.     returns 1 when a triple is verified, -1: no memory */
-static int sp__alternate(sp__cra *c, sp_arena *a)
+SP__NOINLINE static int sp__alternate(sp__cra *c, sp_arena *a)
 {
     sp__alt *m = sp__take(a, 1, sizeof *m);
     if (!m) return -1;
@@ -532,7 +532,7 @@ static size_t sp__alt_need(const sp_problem *pb, const sp_settings *set, sp_aren
 }
 
 static size_t sp__alt_scratch(const sp_problem *pb, const sp_settings *set) { return (void)pb, (void)set, 0; }
-static int sp__alternate(sp__cra *c, sp_arena *a) { (void)c; (void)a; return 0; }
+SP__NOINLINE static int sp__alternate(sp__cra *c, sp_arena *a) { (void)c; (void)a; return 0; }
 #endif
 
 #elif SP__WITH_LARGE

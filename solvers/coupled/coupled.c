@@ -129,52 +129,59 @@ SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
     return 0;
 }
 
-/* By reflections from some of their starts, in the dual at hand.     returns as they do */
-static int sp__coupled_reflect(sp__cra *c, int first, int last, sp_state *state, sp_real *imbalance, sp_arena a)
+/* What a search in the dual at hand found is the answer, or the reason that there is none. */
+static void sp__coupled_tell(sp__cra *c, int found, sp_state *state, sp_real *imbalance)
 {
-    const int found = sp__cra_reflect(c, first, last, state->left, a);
-    if (found < 0) return found;
-    c->spent = c->w->budget.spent && c->w->budget.limit >= state->left;
     c->out->residual = c->offer.residual;
     if (found) sp__cra_write_result(c, state, imbalance);
-    return found;
+    c->spent = c->w->budget.spent && c->w->budget.limit >= state->left;
 }
 
-/* In space, by search unless one is found (`found`), and by a few reflections. */
-SP__NOINLINE static sp_status sp__coupled_space(sp__cra *c, int found, sp_state *state, sp_real *imbalance, sp_arena *a)
+/* By reflections from some of their starts, in the dual at hand, unless something has ended the search. */
+SP__NOINLINE static sp_status sp__coupled_reflect(sp__cra *c, int first, int last, sp_state *state, sp_real *imbalance,
+                                                  sp_arena a)
+{
+    if (c->set->coupled.rounds || c->spent || c->slow || c->out->verdict != SP_COUPLING_NOT_FOUND) return SP_OK;
+    const int found = sp__cra_reflect(c, first, last, state->left, a);
+    if (found < 0) return SP_E_MEMORY;
+    c->slow = c->w->budget.spent;
+    sp__coupled_tell(c, found, state, imbalance);
+    return SP_OK;
+}
+
+/* The dual in space, for a search's work within `left`, and room for what works in it besides. */
+SP__NOINLINE static int sp__coupled_space(sp__cra *c, int64_t left, sp_arena *a)
 {
     const int64_t limit = c->out->cost.flops + SP__CRA_FLOPS;
-    const int seed = c->set->coupled.rounds > 0;
-    if (!sp__cra_open(c, limit < state->left ? limit : state->left, NULL, a)) return SP_E_MEMORY;
+    if (!sp__cra_open(c, limit < left ? limit : left, NULL, a)) return 0;
     const size_t turns = a->used, more = sp__coupled_turns(c->pb, sp__alt_need(c->pb, c->set, *a));
-    if (more == SIZE_MAX || !sp__take(a, 1, more)) return SP_E_MEMORY;
+    if (more == SIZE_MAX || !sp__take(a, 1, more)) return 0;
     a->used = turns;
-    if (!found) {
-        sp__cra_begin(c);
-        found = seed ? sp__alternate(c, a) : sp__cra_search(c);
-    }
-    if (found < 0) return SP_E_MEMORY;
-    c->out->residual = c->offer.residual;
-    if (found) sp__cra_write_result(c, state, imbalance);
-    else if (c->offer.made && c->offer.tiny) c->out->reason = SP_COUPLING_LIMIT;
-    c->spent = c->w->budget.spent && limit >= state->left;
-    if (found || seed || c->spent) return SP_OK;
-    return sp__coupled_reflect(c, 0, SP__REFLECT_FIRST, state, imbalance, *a) < 0 ? SP_E_MEMORY : SP_OK;
+    return 1;
 }
 
-/* In space, then the decision, then by all the reflections that would take longer than that. */
+/* In space, by springs unless one is found (`found`) and by a few reflections, then the decision, then by all reflections,
+ * which would take longer than that. */
 SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *imbalance, sp_arena *a)
 {
     const size_t mark = a->used;
-    sp_status status = sp__coupled_space(c, found, state, imbalance, a);
+    if (!sp__coupled_space(c, state->left, a)) return SP_E_MEMORY;
+    if (!found) {
+        sp__cra_begin(c);
+        found = c->set->coupled.rounds ? sp__alternate(c, a) : sp__cra_search(c);
+    }
+    if (found < 0) return SP_E_MEMORY;
+    sp__coupled_tell(c, found, state, imbalance);
+    if (!found && c->offer.made && c->offer.tiny) c->out->reason = SP_COUPLING_LIMIT;
+    sp_status status = sp__coupled_reflect(c, 0, SP__REFLECT_FIRST, state, imbalance, *a);
     a->used = mark;
     if (status || c->spent || c->out->verdict != SP_COUPLING_NOT_FOUND) return status;
     if (!c->mirror) status = sp__coupled_decide(c, state, imbalance, a);
-    if (status || c->set->coupled.rounds || c->out->verdict != SP_COUPLING_NOT_FOUND) return status;
+    if (status || c->out->verdict != SP_COUPLING_NOT_FOUND) return status;
     a->used = mark;
     if (!sp__cra_open(c, state->left, NULL, a)) return SP_E_MEMORY;
     sp__cra_begin(c);
-    return sp__coupled_reflect(c, SP__REFLECT_FIRST, SP__REFLECT_STARTS, state, imbalance, *a) < 0 ? SP_E_MEMORY : SP_OK;
+    return sp__coupled_reflect(c, SP__REFLECT_FIRST, SP__REFLECT_STARTS, state, imbalance, *a);
 }
 
 /* Is there a triple? In the plane where there is one, then in space, unless that is left out. */

@@ -19,7 +19,7 @@
 
 #define SP__REFLECT_STARTS 48
 #define SP__REFLECT_FIRST 4             /* starts before the decision, which takes longer */
-#define SP__REFLECT_FLOPS 2000000000    /* work for those, and for the others */
+#define SP__REFLECT_FLOPS 4000000000    /* work for those, and for the others, which are left out where those take it all */
 #define SP__REFLECT_STEPS 6000          /* of one start, five times that where the sets come near each other */
 #define SP__REFLECT_NEAR ((sp_real)1e-3)
 #define SP__REFLECT_CORNER 150          /* flops of B */
@@ -109,7 +109,28 @@ SP__NOINLINE static void sp__reflect_linear(sp__cra *c, const sp__corner *z)
     sp__cra_rates(c, c->w->y, d);
 }
 
-/* A step of z. Forces of B are left in spring.f.     returns the largest difference between A and B */
+/* The step of vertex v of contact t, behind A; its force of B is left in spring.f.     returns how far A and B are apart */
+SP__NOINLINE static sp_real sp__reflect_vertex(const sp__cra *c, const sp_contact *t, size_t v, sp_real kappa, sp__corner *z)
+{
+    const sp_real s = sp__cra_sbar(c, t), *d = c->spring.d + 3 * v;
+    sp_real *f = c->spring.f + 3 * v, most = 0;
+    sp__corner mirrored, next;
+    for (int k = 0; k < 3; k++) {
+        mirrored.f[k] = 2 * f[k] / s - z->f[k];
+        mirrored.d[k] = 2 * d[k] - z->d[k];
+    }
+    sp__reflect_corner(c, t, kappa, &mirrored, &next);
+    for (int k = 0; k < 3; k++) {
+        const sp_real by = next.f[k] - f[k] / s, along = next.d[k] - d[k];
+        z->f[k] += by;
+        z->d[k] += along;
+        f[k] = s * next.f[k];
+        most = sp__max(most, sp__max(sp__abs(by), kappa * sp__abs(along)));
+    }
+    return most;
+}
+
+/* A step of z.     returns the largest difference between A and B */
 SP__NOINLINE static sp_real sp__reflect_step(sp__cra *c, sp_real kappa, sp__corner *z)
 {
     sp_real most = 0;
@@ -117,30 +138,14 @@ SP__NOINLINE static sp_real sp__reflect_step(sp__cra *c, sp_real kappa, sp__corn
     sp__reflect_linear(c, z);
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
-        const sp_real s = sp__cra_sbar(c, t);
-        for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++) {
-            sp_real *f = c->spring.f + 3 * v, *d = c->spring.d + 3 * v;
-            sp__corner mirrored, next;
-            if (!(sp__system_multiplicity(c->w, (int32_t)v) > 0)) continue;
-            for (int k = 0; k < 3; k++) {
-                mirrored.f[k] = 2 * f[k] / s - z[v].f[k];
-                mirrored.d[k] = 2 * d[k] - z[v].d[k];
-            }
-            sp__reflect_corner(c, t, kappa, &mirrored, &next);
-            for (int k = 0; k < 3; k++) {
-                const sp_real by = next.f[k] - f[k] / s, along = next.d[k] - d[k];
-                z[v].f[k] += by;
-                z[v].d[k] += along;
-                f[k] = s * next.f[k];
-                most = sp__max(most, sp__max(sp__abs(by), kappa * sp__abs(along)));
-            }
-        }
+        for (int32_t v = t->point; v < t->point + t->points; v++)
+            if (sp__system_multiplicity(c->w, v) > 0) most = sp__max(most, sp__reflect_vertex(c, t, (size_t)v, kappa, z + v));
     }
     return most;
 }
 
 /* Start k: every other with the forces of statics; three with slips against these, then with motions of any kind. */
-static void sp__reflect_begin(const sp__cra *c, int k, sp__corner *z)
+SP__NOINLINE static void sp__reflect_begin(const sp__cra *c, int k, sp__corner *z)
 {
     const sp_real size[] = { 1, 10, (sp_real)0.1, 100 };
     uint32_t x = 2463534242u + 7919u * (uint32_t)k;
