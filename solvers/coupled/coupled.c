@@ -115,7 +115,6 @@ SP__NOINLINE static int sp__cra_plane(sp__cra *c, int64_t left, sp_arena *a)
     if (!o) return -1;
     if (sp__cra_mirror(c->pb, c->set, o)) {
         if (!sp__cra_open(c, limit < left ? limit : left, o, a)) return -1;
-        if (!sp__take(a, 1, sp__coupled_turns(c->pb, 0))) return -1;           /* which only the search in space needs */
         memset(c->spring.f, 0, 3 * (size_t)c->pb->points * sizeof *c->spring.f);      /* images keep it */
         sp__cra_begin(c);
         found = sp__cra_search(c);
@@ -138,15 +137,12 @@ static void sp__coupled_tell(sp__cra *c, int found, sp_state *state, sp_real *im
 }
 
 /* By reflections from some of their starts, in the dual at hand, unless something has ended the search. */
-SP__NOINLINE static sp_status sp__coupled_reflect(sp__cra *c, int first, int last, sp_state *state, sp_real *imbalance,
-                                                  sp_arena a)
+SP__NOINLINE static void sp__coupled_reflect(sp__cra *c, int first, int last, sp_state *state, sp_real *imbalance)
 {
-    if (c->set->coupled.rounds || c->spent || c->slow || c->out->verdict != SP_COUPLING_NOT_FOUND) return SP_OK;
-    const int found = sp__cra_reflect(c, first, last, state->left, a);
-    if (found < 0) return SP_E_MEMORY;
+    if (c->set->coupled.rounds || c->spent || c->slow || c->out->verdict != SP_COUPLING_NOT_FOUND) return;
+    const int found = sp__cra_reflect(c, first, last, state->left);
     c->slow = c->w->budget.spent;
     sp__coupled_tell(c, found, state, imbalance);
-    return SP_OK;
 }
 
 /* The dual in space, for a search's work within `left`, and room for what works in it besides. */
@@ -154,8 +150,8 @@ SP__NOINLINE static int sp__coupled_space(sp__cra *c, int64_t left, sp_arena *a)
 {
     const int64_t limit = c->out->cost.flops + SP__CRA_FLOPS;
     if (!sp__cra_open(c, limit < left ? limit : left, NULL, a)) return 0;
-    const size_t turns = a->used, more = sp__coupled_turns(c->pb, sp__alt_need(c->pb, c->set, *a));
-    if (more == SIZE_MAX || !sp__take(a, 1, more)) return 0;
+    const size_t turns = a->used, more = sp__alt_need(c->pb, c->set, *a);
+    if (more == SIZE_MAX || (more && !sp__take(a, 1, more))) return 0;
     a->used = turns;
     return 1;
 }
@@ -173,15 +169,16 @@ SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state
     if (found < 0) return SP_E_MEMORY;
     sp__coupled_tell(c, found, state, imbalance);
     if (!found && c->offer.made && c->offer.tiny) c->out->reason = SP_COUPLING_LIMIT;
-    sp_status status = sp__coupled_reflect(c, 0, SP__REFLECT_FIRST, state, imbalance, *a);
+    sp__coupled_reflect(c, 0, SP__REFLECT_FIRST, state, imbalance);
     a->used = mark;
-    if (status || c->spent || c->out->verdict != SP_COUPLING_NOT_FOUND) return status;
-    if (!c->mirror) status = sp__coupled_decide(c, state, imbalance, a);
+    if (c->spent || c->out->verdict != SP_COUPLING_NOT_FOUND) return SP_OK;
+    const sp_status status = c->mirror ? SP_OK : sp__coupled_decide(c, state, imbalance, a);
     if (status || c->out->verdict != SP_COUPLING_NOT_FOUND) return status;
     a->used = mark;
     if (!sp__cra_open(c, state->left, NULL, a)) return SP_E_MEMORY;
     sp__cra_begin(c);
-    return sp__coupled_reflect(c, SP__REFLECT_FIRST, SP__REFLECT_STARTS, state, imbalance, *a);
+    sp__coupled_reflect(c, SP__REFLECT_FIRST, SP__REFLECT_STARTS, state, imbalance);
+    return SP_OK;
 }
 
 /* Is there a triple? In the plane where there is one, then in space, unless that is left out. */

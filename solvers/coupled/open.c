@@ -38,13 +38,6 @@ SP__NOINLINE static void sp__coupled_carve(sp__cra *c, const sp_problem *pb, con
     sp__certifier_carve(&c->j, pb, set->faces, a);
 }
 
-/* Bytes beside the dual: of the alternation, or of the reflections (reflect.c). */
-static size_t sp__coupled_turns(const sp_problem *pb, size_t alternation)
-{
-    const size_t z = (size_t)pb->points * 6 * sizeof(sp_real);
-    return alternation > z ? alternation : z;
-}
-
 SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_settings *set, size_t turns, sp_arena scratch)
 {
     sp_arena room = scratch;
@@ -59,7 +52,7 @@ SP__NOINLINE static size_t sp__coupled_need(const sp_problem *pb, const sp_setti
     sp_arena branch = dry;
     sp__take(&branch, 1, sp__branch_need(pb, set));
     sp__take(&dry, 1, dual);
-    sp__take(&dry, 1, sp__coupled_turns(pb, turns));
+    if (turns) sp__take(&dry, 1, turns);
     return dry.used > branch.used ? dry.used : branch.used;
 }
 

@@ -69,7 +69,10 @@ static void sp__reflect_corner(const sp__cra *c, const sp_contact *t, sp_real ka
     *out = sp__reflect_distance(x, &open, kappa) < sp__reflect_distance(x, &press, kappa) ? open : press;
 }
 
-/* The metric's matrix Aeq S Aeq'. */
+/* z lies where the weights of the matrix were, which nothing asks for once it is factored. */
+static sp__corner *sp__reflect_point(const sp__cra *c) { return (sp__corner *)(void *)c->spring.D; }
+
+/* The metric's matrix Aeq S Aeq'; z is gone. */
 static void sp__reflect_factor(const sp__cra *c)
 {
     memset(c->spring.D, 0, 6 * (size_t)c->pb->points * sizeof *c->spring.D);
@@ -84,8 +87,9 @@ static void sp__reflect_factor(const sp__cra *c)
 }
 
 /* A: of z its d to the motion w->y and its rates in spring.d, its f to forces in balance in spring.f. */
-SP__NOINLINE static void sp__reflect_linear(sp__cra *c, const sp__corner *z)
+SP__NOINLINE static void sp__reflect_linear(sp__cra *c)
 {
+    const sp__corner *z = sp__reflect_point(c);
     sp_real *f = c->spring.f, *d = c->spring.d;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
@@ -131,11 +135,12 @@ SP__NOINLINE static sp_real sp__reflect_vertex(const sp__cra *c, const sp_contac
 }
 
 /* A step of z.     returns the largest difference between A and B */
-SP__NOINLINE static sp_real sp__reflect_step(sp__cra *c, sp_real kappa, sp__corner *z)
+SP__NOINLINE static sp_real sp__reflect_step(sp__cra *c, sp_real kappa)
 {
+    sp__corner *z = sp__reflect_point(c);
     sp_real most = 0;
     if (!sp__system_spend(c->w, SP__REFLECT_CORNER * (int64_t)c->pb->points)) return SP__HUGE;
-    sp__reflect_linear(c, z);
+    sp__reflect_linear(c);
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         for (int32_t v = t->point; v < t->point + t->points; v++)
@@ -167,38 +172,55 @@ SP__NOINLINE static void sp__reflect_begin(const sp__cra *c, int k, sp__corner *
     }
 }
 
-/* Steps from a start; the rest of the digits is tried whenever the sets are ten times nearer.
+/* The rest of the digits. Where that fails z goes on from the point where the sets were near, forces of B and their motion.
  *   returns 1 when a triple is verified */
-SP__NOINLINE static int sp__reflect_run(sp__cra *c, sp_real kappa, sp__corner *z)
+SP__NOINLINE static int sp__reflect_polish(sp__cra *c)
 {
+    sp_real *kept[3] = { c->spring.lam, c->drag.bound, c->drag.share };
+    const size_t n = (size_t)c->pb->points;
+    c->out->rounds++;
+    for (size_t k = 0; k < 3 * n; k++) kept[k % 3][k / 3] = c->spring.f[k];
+    if (sp__cra_polish(c)) return 1;
+    sp__reflect_factor(c);
+    memcpy(c->w->y, c->descent.from, 6 * (size_t)c->pb->blocks * sizeof *c->w->y);
+    sp__cra_rates(c, c->w->y, c->spring.d);
+    for (int32_t q = 0; q < c->pb->contacts; q++) {
+        const sp_contact *t = &c->pb->contact[q];
+        const sp_real s = sp__cra_sbar(c, t);
+        for (size_t k = 3 * (size_t)t->point; k < 3 * ((size_t)t->point + (size_t)t->points); k++) {
+            sp__corner *z = sp__reflect_point(c) + k / 3;
+            z->f[k % 3] = kept[k % 3][k / 3] / s;
+            z->d[k % 3] = c->spring.d[k];
+        }
+    }
+    return 0;
+}
+
+/* Steps from start k; the rest of the digits is tried whenever the sets are ten times nearer.
+ *   returns 1 when a triple is verified */
+SP__NOINLINE static int sp__reflect_run(sp__cra *c, int k)
+{
+    static const sp_real kappa[] = { (sp_real)0.1, (sp_real)0.3, (sp_real)0.03 };
     sp_real next = (sp_real)1e-2;
     sp__reflect_factor(c);
-    for (int32_t k = 0, last = SP__REFLECT_STEPS; k < last && !c->w->budget.spent; k++) {
-        const sp_real apart = sp__reflect_step(c, kappa, z);
+    sp__reflect_begin(c, k, sp__reflect_point(c));
+    for (int32_t step = 0, last = SP__REFLECT_STEPS; step < last && !c->w->budget.spent; step++) {
+        const sp_real apart = sp__reflect_step(c, kappa[k % 3]);
         if (apart < SP__REFLECT_NEAR) last = 5 * SP__REFLECT_STEPS;
         if (apart > next) continue;
-        c->out->rounds++;
-        if (sp__cra_polish(c)) return 1;
-        sp__reflect_factor(c);
+        if (sp__reflect_polish(c)) return 1;
         next = apart / 10;
     }
     return 0;
 }
 
-/* From starts `first` to `last` - 1, for work of its own within `left`: flops of all.
- *   returns 1 when a triple is verified, 0: none, -1: no memory */
-SP__NOINLINE static int sp__cra_reflect(sp__cra *c, int first, int last, int64_t left, sp_arena a)
+/* From starts `first` to `last` - 1, for work of its own within `left`.     returns 1 when a triple is verified */
+static int sp__cra_reflect(sp__cra *c, int first, int last, int64_t left)
 {
-    static const sp_real kappa[] = { (sp_real)0.1, (sp_real)0.3, (sp_real)0.03 };
-    sp__corner *z = sp__take(&a, (size_t)c->pb->points, sizeof *z);
     const int64_t limit = c->out->cost.flops + SP__REFLECT_FLOPS;
-    if (!z) return -1;
     c->w->budget.limit = limit < left ? limit : left;
     c->w->budget.spent = 0;
-    for (int k = first; k < last && !c->w->budget.spent; k++) {
-        sp__reflect_begin(c, k, z);
-        if (sp__reflect_run(c, kappa[k % 3], z)) return 1;
-    }
+    for (int k = first; k < last && !c->w->budget.spent; k++) if (sp__reflect_run(c, k)) return 1;
     return 0;
 }
 
