@@ -136,10 +136,9 @@ static void sp__coupled_tell(sp__cra *c, int found, sp_state *state, sp_real *im
     c->spent = c->w->budget.spent && c->w->budget.limit >= state->left;
 }
 
-/* By reflections from some of their starts, in the dual at hand, unless something has ended the search. */
+/* By reflections from some of their starts, in the dual at hand. */
 SP__NOINLINE static void sp__coupled_reflect(sp__cra *c, int first, int last, sp_state *state, sp_real *imbalance)
 {
-    if (c->set->coupled.rounds || c->spent || c->slow || c->out->verdict != SP_COUPLING_NOT_FOUND) return;
     const int found = sp__cra_reflect(c, first, last, state->left);
     c->slow = c->w->budget.spent;
     sp__coupled_tell(c, found, state, imbalance);
@@ -161,19 +160,20 @@ SP__NOINLINE static int sp__coupled_space(sp__cra *c, int64_t left, sp_arena *a)
 SP__NOINLINE static sp_status sp__coupled_search(sp__cra *c, int found, sp_state *state, sp_real *imbalance, sp_arena *a)
 {
     const size_t mark = a->used;
+    const int seed = c->set->coupled.rounds > 0;
     if (!sp__coupled_space(c, state->left, a)) return SP_E_MEMORY;
     if (!found) {
         sp__cra_begin(c);
-        found = c->set->coupled.rounds ? sp__alternate(c, a) : sp__cra_search(c);
+        found = seed ? sp__alternate(c, a) : sp__cra_search(c);
     }
     if (found < 0) return SP_E_MEMORY;
     sp__coupled_tell(c, found, state, imbalance);
     if (!found && c->offer.made && c->offer.tiny) c->out->reason = SP_COUPLING_LIMIT;
-    sp__coupled_reflect(c, 0, SP__REFLECT_FIRST, state, imbalance);
+    if (!found && !seed && !c->spent) sp__coupled_reflect(c, 0, SP__REFLECT_FIRST, state, imbalance);
     a->used = mark;
     if (c->spent || c->out->verdict != SP_COUPLING_NOT_FOUND) return SP_OK;
     const sp_status status = c->mirror ? SP_OK : sp__coupled_decide(c, state, imbalance, a);
-    if (status || c->out->verdict != SP_COUPLING_NOT_FOUND) return status;
+    if (status || seed || c->slow || c->out->verdict != SP_COUPLING_NOT_FOUND) return status;
     a->used = mark;
     if (!sp__cra_open(c, state->left, NULL, a)) return SP_E_MEMORY;
     sp__cra_begin(c);

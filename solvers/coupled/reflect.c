@@ -18,12 +18,12 @@
 #if SP__WITH_COUPLED
 
 #define SP__REFLECT_STARTS 48
-#define SP__REFLECT_FIRST 4             /* starts before the decision, which takes longer */
-#define SP__REFLECT_FLOPS 4000000000    /* work for those, and for the others, which are left out where those take it all */
+#define SP__REFLECT_FIRST 4             /* starts before the decision, which takes longer than these and less than the others */
+#define SP__REFLECT_FLOPS 4000000000    /* work for these, then for the others, which are left out where these take it all */
 #define SP__REFLECT_STEPS 6000          /* of one start, five times that where the sets come near each other */
 #define SP__REFLECT_NEAR ((sp_real)1e-3)
 #define SP__REFLECT_CORNER 150          /* flops of B */
-#define SP__REFLECT_LEAST ((sp_real)(sizeof(sp_real) == 8 ? 1e-3 : 0.1))        /* slip where there is friction, in eps */
+#define SP__REFLECT_LEAST ((sp_real)(sizeof(sp_real) == 8 ? 1e-3 : 0.1))        /* slip where there is friction, in L */
 
 /* f and d of a corner in units of s and of L. */
 typedef struct sp__corner { sp_real f[3], d[3]; } sp__corner;
@@ -144,7 +144,7 @@ SP__NOINLINE static sp_real sp__reflect_step(sp__cra *c, sp_real kappa)
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
         for (int32_t v = t->point; v < t->point + t->points; v++)
-            if (sp__system_multiplicity(c->w, v) > 0) most = sp__max(most, sp__reflect_vertex(c, t, (size_t)v, kappa, z + v));
+            most = sp__max(most, sp__reflect_vertex(c, t, (size_t)v, kappa, z + v));
     }
     return most;
 }

@@ -84,7 +84,8 @@ typedef struct sp__cra {
     sp__descent descent;
     sp__held_motion held;
     sp__offer offer;
-    int mirror, spent, slow;            /* it was searched for in the plane; the budget, work of its own ended the search */
+    int mirror, spent;                  /* it was searched for in the plane; the budget ended the search */
+    int slow;                           /* the first reflections took all the work that they may */
 } sp__cra;
 
 #ifdef SP_REAL_FLOAT

@@ -400,7 +400,7 @@ TEST(as_friction_or_eta_grows_the_answer_turns_once)
     }
 }
 
-/* Two cubes of 1 m, 1.3 m from each other, held by four triangles: of A, of B, its corners. */
+/* Two stones of 2400 kg, 1.3 m from each other, held by four triangles, three corners each; one is between the stones. */
 typedef struct held { double mu; double corner[4][9]; } held;
 
 static const held pair[] = {
