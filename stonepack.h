@@ -612,7 +612,7 @@ typedef struct sp_watch {
 
 /* More cores. `run` calls task(job, k) once for each k of 0 .. n - 1, in any order and at the same time where it can, and
  * returns when all calls have. Tasks write apart from each other: the result has the same bits however many run. Factors of
- * large scenes are made so; a task is at least some 20 microseconds of work, n at most 16. */
+ * large scenes are made so; a task is at least some 20 microseconds of work, n at most 16. Without `run`: SP_E_ARGUMENT. */
 typedef struct sp_parallel {
     void (*run)(void *self, void (*task)(void *job, int32_t k), void *job, int32_t n);
     void *self;
