@@ -29,7 +29,7 @@
 typedef struct sp__corner { sp_real f[3], d[3]; } sp__corner;
 
 /* The direction e of slip and -friction that is nearest to both: of opposed ones the long axis of ft ft' + kappa^2 dt dt'. */
-static void sp__reflect_direction(const sp__corner *x, sp_real kappa, sp_real e[2])
+SP__NOINLINE static void sp__reflect_direction(const sp__corner *x, sp_real kappa, sp_real e[2])
 {
     const sp_real ft[2] = { x->f[1], x->f[2] }, dt[2] = { kappa * x->d[1], kappa * x->d[2] };
     const sp_real ff = ft[0] * ft[0] + ft[1] * ft[1], dd = dt[0] * dt[0] + dt[1] * dt[1];
@@ -55,7 +55,8 @@ static sp_real sp__reflect_distance(const sp__corner *x, const sp__corner *y, sp
 }
 
 /* B of a corner of contact t: the nearer of open and pressing. */
-static void sp__reflect_corner(const sp__cra *c, const sp_contact *t, sp_real kappa, const sp__corner *x, sp__corner *out)
+SP__NOINLINE static void sp__reflect_corner(const sp__cra *c, const sp_contact *t, sp_real kappa,
+                                            const sp__corner *x, sp__corner *y)
 {
     const sp_real slip = SP_SQRT(x->d[1] * x->d[1] + x->d[2] * x->d[2]), cut = slip > c->k.eta ? c->k.eta / slip : 1;
     sp__corner open = { { 0 }, { sp__within(x->d[0], -c->k.eps, c->k.eta), cut * x->d[1], cut * x->d[2] } };
@@ -66,7 +67,7 @@ static void sp__reflect_corner(const sp__cra *c, const sp_contact *t, sp_real ka
     if (a > mu * x->f[0]) { fn = sp__max((x->f[0] + mu * a) / (1 + mu * mu), 0); a = mu * fn; }
     const sp_real b = sp__within(x->d[1] * e[0] + x->d[2] * e[1], a > 0 ? SP__REFLECT_LEAST : 0, c->k.eta);
     const sp__corner press = { { fn, -a * e[0], -a * e[1] }, { -c->k.eps, b * e[0], b * e[1] } };
-    *out = sp__reflect_distance(x, &open, kappa) < sp__reflect_distance(x, &press, kappa) ? open : press;
+    *y = sp__reflect_distance(x, &open, kappa) < sp__reflect_distance(x, &press, kappa) ? open : press;
 }
 
 /* z lies where the weights of the matrix were, which nothing asks for once it is factored. */

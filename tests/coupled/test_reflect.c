@@ -74,7 +74,7 @@ static double least_of_all(const sp__corner *x)
 {
     double least = 1e30;
     for (int k = 0; k < 720; k++) {
-        const double e[2] = { cos(k * acos(-1) / 360), sin(k * acos(-1) / 360) };
+        const double angle = k * 3.14159265358979323846 / 360, e[2] = { cos(angle), sin(angle) };
         const double a = fmax(-((double)x->f[1] * e[0] + (double)x->f[2] * e[1]), 0);
         const double b = fmax((double)x->d[1] * e[0] + (double)x->d[2] * e[1], 0);
         const sp__corner y = { { sp__max(x->f[0], 0), R(-a * e[0]), R(-a * e[1]) }, { -1, R(b * e[0]), R(b * e[1]) } };
