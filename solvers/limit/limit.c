@@ -40,19 +40,23 @@ static int sp__limit_upper_fell(sp__limit *L, sp_real next)
     return sp__limit_upper_at(L, at * L->ref);
 }
 
-/* A large multiple is carried: do the forces of much larger ones, in which dead loads have next to no share, balance live loads
- * alone? Where joints have strength: a question about live loads alone leaves most blocks without load, and may stay open. */
+/* A large multiple is carried, and the ends have not met: do the forces of much larger ones, in which dead loads have next to no
+ * share, balance live loads alone? Where joints have strength: a question about live loads alone leaves most blocks without load,
+ * and may stay open. Where they have an end the motion at hand stays. */
 SP__NOINLINE static void sp__limit_endless(sp__limit *L)
 {
     sp_limit_result *r = &L->r;
+    const size_t bytes = 6 * (size_t)L->bracket.pb.blocks * sizeof *L->lower;
     sp_real a = r->lower / L->ref;
-    if (L->none || r->kind || !(a > SP__LIMIT_FAR) || !sp__limit_strong(L)) return;
+    if (L->none || r->kind || !(a > SP__LIMIT_FAR) || !sp__limit_strong(L) || sp__limit_closed(L)) return;
+    memcpy(L->lower, L->bracket.dq, bytes);             /* nothing else asks for it any more */
     for (int it = 0; it < SP__LIMIT_ENDLESS && !r->kind && sp__engine_may_ask(&L->engine, &L->bracket); it++) {
         a *= 16;
-        if (sp__limit_ask(L, 1, a, r->ray) != SP_STABLE) return;
+        if (sp__limit_ask(L, 1, a, r->ray) != SP_STABLE) break;
         sp__limit_carried(L, a * L->ref, r->ray);
         if (sp__engine_unbounded(&L->bracket, r->ray, r->lower, L->ref)) r->kind = SP_LIMIT_UNBOUNDED;
     }
+    if (!r->kind) memcpy(L->bracket.dq, L->lower, bytes);
 }
 #else
 static int sp__limit_upper_fell(sp__limit *L, sp_real next) { (void)L; (void)next; return 0; }
