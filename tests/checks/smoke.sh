@@ -262,8 +262,18 @@ beside() {
     done
     grep -q 'no-such-file' "$tmp/failed3" && tail -n 1 "$tmp/failed3" | grep -qx 65 || return 1
     "$cli" check --quiet "$here"/../scenes/*.obj > "$tmp/a"
-    ( ulimit -n 10; "$cli" check --quiet --jobs 4 "$here"/../scenes/*.obj ) > "$tmp/b"         # fewer files than it would have open
-    cmp "$tmp/a" "$tmp/b"
+    for b_files in 6 7 8 9 10 11 12 13 14 15 16; do             # fewer files than it would have open, even and odd
+        ( ulimit -n $b_files; "$cli" check --quiet --jobs 4 "$here"/../scenes/*.obj ) > "$tmp/b" 2> "$tmp/failed1"
+        cmp "$tmp/a" "$tmp/b" && test ! -s "$tmp/failed1" || { echo "with $b_files files"; cat "$tmp/failed1"; return 1; }
+    done
+    ( trap '' CHLD; exec "$cli" check --quiet --jobs 4 "$here"/../scenes/*.obj ) > "$tmp/b" 2> "$tmp/failed1"   # ends untold
+    cmp "$tmp/a" "$tmp/b" && test ! -s "$tmp/failed1"
+}
+torn() {                                                # nowhere to write what a scene's process prints: said, status 70
+    "$cli" gen wall size=40 > "$tmp/one.obj"
+    ( ulimit -f 10; "$cli" check --json --forces --jobs 2 "$tmp/one.obj" "$tmp/one.obj" 2> "$tmp/failed1"
+        echo $? > "$tmp/torn" ) | cat > "$tmp/a"
+    grep -qx 70 "$tmp/torn" && test "$(grep -c "can't write" "$tmp/failed1")" -eq 2
 }
 by_threads() {
     "$cli" gen dome rings=8 > "$tmp/one.obj" && "$cli" check --json --forces "$tmp/one.obj" > "$tmp/a" &&
@@ -618,6 +628,7 @@ part "a bad scene among others"     goes_on
 part "skip-done: a stopped run goes on" resumed
 part "jobs: several at a time, the same answers in the same order" beside
 part "jobs: one scene by threads, the same answers" by_threads
+part "jobs: a full disk is no answer" torn
 part "jobs: what is no number of cores is refused" exits 64 "$cli" check --jobs 0 "$tmp/scene.obj"
 part "sequence: an arch without centring falls: 1" exits 1 "$cli" sequence "$tmp/scene.obj"
 part "sequence: the step that fails first" says '"first_failing": *4,' "$cli" sequence --json "$tmp/scene.obj"

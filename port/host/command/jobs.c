@@ -24,6 +24,7 @@ int jobs_scenes(int n, int jobs, char *const *name, int (*one)(void *self, int k
 
 #else
 
+#include <errno.h>
 #include <pthread.h>
 #include <signal.h>
 #ifdef __linux__
@@ -126,22 +127,52 @@ typedef struct scene_job {
     int status;                         /* as waitpid has it; -1: it never ran */
 } scene_job;
 
-/* returns whether it runs */
-static int begin_scene(scene_job *j, int k, int (*one)(void *self, int k), void *self)
+static void ignore(int signal) { (void)signal; }
+
+/* Ctrl-C is heard by whoever began this process, and waits for it; once more ends both. */
+static void child_signals(void)
 {
+    struct sigaction once;
+    memset(&once, 0, sizeof once);
+    once.sa_handler = ignore;
+    once.sa_flags = SA_RESETHAND | SA_RESTART;
+    sigemptyset(&once.sa_mask);
+    sigaction(SIGINT, &once, NULL);
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGTERM);                   /* and it does not outlive that one */
+#endif
+}
+
+/* Job `own` of `n`, in its process: it prints to its files, and has as many descriptors left as it would have alone. */
+static int child_files(const scene_job *job, int own, int n)
+{
+    if (dup2(fileno(job[own].out), STDOUT_FILENO) < 0 || dup2(fileno(job[own].err), STDERR_FILENO) < 0) return 0;
+    for (int k = 0; k < n; k++) {
+        if (job[k].out) close(fileno(job[k].out));
+        if (job[k].err) close(fileno(job[k].err));
+    }
+    return 1;
+}
+
+static int child_end(int status)
+{
+    if (!fflush(stdout) && !ferror(stdout)) return status;
+    fputs("stonepack: can't write\n", stderr);
+    return EXIT_INTERNAL;
+}
+
+/* Scene k as job `own` of `n`.     returns whether it runs */
+static int begin_scene(scene_job *job, int own, int n, int k, int (*one)(void *self, int k), void *self)
+{
+    scene_job *j = &job[own];
     j->status = -1;
     j->out = tmpfile();
     j->err = tmpfile();
     fflush(NULL);
     j->pid = j->out && j->err ? fork() : -1;
     if (j->pid == 0) {
-        signal(SIGINT, SIG_IGN);                        /* whoever began it hears Ctrl-C, and waits for this one */
-#ifdef __linux__
-        prctl(PR_SET_PDEATHSIG, SIGTERM);               /* but does not outlive it */
-#endif
-        if (dup2(fileno(j->out), STDOUT_FILENO) < 0 || dup2(fileno(j->err), STDERR_FILENO) < 0) _exit(EXIT_INTERNAL);
-        const int status = one(self, k);
-        _exit(fflush(stdout) ? EXIT_INTERNAL : status);
+        child_signals();
+        _exit(child_files(job, own, n) ? child_end(one(self, k)) : EXIT_INTERNAL);
     }
     if (j->pid > 0) return 1;
     j->pid = 0;
@@ -155,7 +186,8 @@ static int begin_scene(scene_job *j, int k, int (*one)(void *self, int k), void 
 static void await_any(scene_job *job, int n)
 {
     int status;
-    const pid_t pid = waitpid(-1, &status, 0);
+    pid_t pid;
+    do pid = waitpid(-1, &status, 0); while (pid < 0 && errno == EINTR);
     for (int k = 0; k < n; k++) {
         if (!job[k].pid || (pid >= 0 && job[k].pid != pid)) continue;
         job[k].pid = 0;
@@ -163,26 +195,28 @@ static void await_any(scene_job *job, int n)
     }
 }
 
-/* What a file holds, to another; then it is closed. */
-static void pour(FILE *from, FILE *to)
+/* What a file holds, to another; then it is closed.     returns whether all of it could be read */
+static int pour(FILE *from, FILE *to)
 {
     char piece[4096];
     size_t n;
-    if (!from) return;
     rewind(from);
     while ((n = fread(piece, 1, sizeof piece, from)) > 0) fwrite(piece, 1, n, to);
+    const int whole = !ferror(from);
     fclose(from);
     fflush(to);
+    return whole;
 }
 
 /* What an ended one printed.     returns its status */
-static int tell_scene(const scene_job *j, const char *name)
+static int tell_scene(scene_job *j, const char *name)
 {
-    pour(j->out, stdout);
-    pour(j->err, stderr);
-    if (j->status >= 0 && WIFEXITED(j->status)) return WEXITSTATUS(j->status);
-    if (j->status >= 0) fprintf(stderr, "stonepack: %s: its process was ended by signal %d\n", name, WTERMSIG(j->status));
-    else fprintf(stderr, "stonepack: %s: no process could be started for it\n", name);
+    const int told = pour(j->out, stdout), whole = pour(j->err, stderr) && told;
+    j->out = j->err = NULL;
+    if (!whole) fprintf(stderr, "stonepack: %s: what its process printed can't be read\n", name);
+    else if (j->status < 0) fprintf(stderr, "stonepack: %s: its process was lost\n", name);
+    else if (WIFEXITED(j->status)) return WEXITSTATUS(j->status);
+    else fprintf(stderr, "stonepack: %s: its process was ended by signal %d\n", name, WTERMSIG(j->status));
     return EXIT_INTERNAL;
 }
 
@@ -192,10 +226,16 @@ int jobs_scenes(int n, int jobs, char *const *name, int (*one)(void *self, int k
     const int room = AHEAD * jobs;
     int begun = 0, told = 0, running = 0, full = -1;            /* full: so many were told when no more could be begun */
     memset(job, 0, sizeof job);
+    signal(SIGCHLD, SIG_DFL);                                   /* ignored by whoever began this one, no end would be told */
     while (told < n && (told < begun || !progress_stopped())) {
         if (begun < n && running < jobs && begun - told < room && full < told && !progress_stopped()) {
-            if (begin_scene(&job[begun % room], begun, one, self) || told == begun) begun++;
-            else full = told;
+            if (begin_scene(job, begun % room, room, begun, one, self)) begun++;
+            else if (told < begun) full = told;
+            else {                                              /* no process can be had: it is checked here */
+                status[told] = one(self, told);
+                fflush(stdout);
+                begun = ++told;
+            }
         } else if (told < begun && !job[told % room].pid) {
             status[told] = tell_scene(&job[told % room], name[told]);
             told++;

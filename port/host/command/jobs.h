@@ -15,7 +15,7 @@ void jobs_end(void);
 /* Scenes 0 .. n - 1, `jobs` at a time, each in a process of its own with exit status one(self, k). What they print, also on
  * standard error, comes in their order. Where progress_stopped, no other is begun.
  *   name      of each, for what is said of one that dies: EXIT_INTERNAL
- *   status    of each that ran; EXIT_INTERNAL, too, where no process could be started
+ *   status    of each that ran. Where no process can be started it is checked in this one, alone
  *   returns   how many ran, from the first on; -1: none, this is not POSIX */
 int jobs_scenes(int n, int jobs, char *const *name, int (*one)(void *self, int k), void *self, int *status);
 
