@@ -440,7 +440,7 @@ typedef struct sp_proof {
 typedef struct sp_coupled {
     sp_coupling verdict;        /* refuted makes the check's verdict UNSTABLE, not found UNDECIDED */
     sp_coupling_reason reason;
-    sp_real residual;           /* largest violation relative to what is allowed; of the best attempt if not coupled     [1] */
+    sp_real residual;           /* largest violation relative to what is allowed; of the last attempt if not coupled     [1] */
     int32_t rounds;             /* of the search; 0: none was needed */
     sp_real eps, eta;           /* in force [m] */
     sp_real *dq;                /* 6 x scene.count.blocks: virtual displacement of the centroid, rotation      [m, 1] */
@@ -571,7 +571,8 @@ static inline const char *sp_coupling_reason_text(sp_coupling_reason reason)
 
 /* What the coupled check is asked with; eps, eta and eta / eps below 1e30. */
 typedef struct sp_coupled_settings {
-    int32_t asked;              /* 1: where the forces exist, ask for the motion                                        0 */
+    int32_t asked;              /* 1: where the forces exist, ask for the motion; where none shows that takes some 2e10
+                                   flops an island, or settings.budget                                                  0 */
     sp_real eps;                /* what a joint gives [m], >= 0; below 0: 1e-4 of the mean edge of the joints          -1 */
     sp_real eta;                /* largest dn, |dt| [m], > 0; 0: 100 eps, of an eps of 0 what 1e-2 of the mean edge is  0 */
     int32_t box;                /* 1: eta bounds dt1 and dt2 each, as compas_cra; 0: |dt|                                0 */

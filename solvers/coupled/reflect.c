@@ -23,10 +23,17 @@
 #define SP__REFLECT_STEPS 6000          /* of one start, five times that where the sets come near each other */
 #define SP__REFLECT_NEAR ((sp_real)1e-3)
 #define SP__REFLECT_CORNER 150          /* flops of B */
-#define SP__REFLECT_LEAST ((sp_real)(sizeof(sp_real) == 8 ? 1e-3 : 0.1))        /* slip where there is friction, in L */
+#define SP__REFLECT_LEAST ((sp_real)(sizeof(sp_real) == 4 ? 0.1 : 1e-3))        /* slip where there is friction, in L */
+#define SP__REFLECT_LIGHT ((sp_real)(sizeof(sp_real) == 4 ? 1e-5 : 1e-10))      /* least s, beside the largest */
 
 /* f and d of a corner in units of s and of L. */
 typedef struct sp__corner { sp_real f[3], d[3]; } sp__corner;
+
+/* s of contact t. What carries next to nothing counts as carrying a little, or f / s would be rounding. */
+static sp_real sp__reflect_scale(const sp__cra *c, const sp_contact *t)
+{
+    return sp__max(sp__cra_sbar(c, t), SP__REFLECT_LIGHT * c->sbar_most);
+}
 
 /* The direction e of slip and -friction that is nearest to both: of opposed ones the long axis of ft ft' + kappa^2 dt dt'. */
 SP__NOINLINE static void sp__reflect_direction(const sp__corner *x, sp_real kappa, sp_real e[2])
@@ -81,7 +88,7 @@ static void sp__reflect_factor(const sp__cra *c)
         const sp_contact *t = &c->pb->contact[q];
         for (int32_t v = t->point; v < t->point + t->points; v++) {
             sp_real *D = c->spring.D + 6 * (size_t)v;
-            D[0] = D[3] = D[5] = sp__cra_sbar(c, t) / c->sbar_most;
+            D[0] = D[3] = D[5] = sp__reflect_scale(c, t) / c->sbar_most;
         }
     }
     sp__system_factor(c->w, SP__GIVEN, c->w->y, SP__SHIFT);
@@ -94,7 +101,7 @@ SP__NOINLINE static void sp__reflect_linear(sp__cra *c)
     sp_real *f = c->spring.f, *d = c->spring.d;
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
-        const sp_real s = sp__cra_sbar(c, t);
+        const sp_real s = sp__reflect_scale(c, t);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++)
             for (int k = 0; k < 3; k++) {
                 f[3 * v + (size_t)k] = s * z[v].f[k];
@@ -108,7 +115,7 @@ SP__NOINLINE static void sp__reflect_linear(sp__cra *c)
     sp__cra_rates(c, c->w->d, d);
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
-        const sp_real s = sp__cra_sbar(c, t) / c->sbar_most;
+        const sp_real s = sp__reflect_scale(c, t) / c->sbar_most;
         for (size_t k = 3 * (size_t)t->point; k < 3 * ((size_t)t->point + (size_t)t->points); k++) f[k] -= s * d[k];
     }
     sp__cra_rates(c, c->w->y, d);
@@ -117,7 +124,7 @@ SP__NOINLINE static void sp__reflect_linear(sp__cra *c)
 /* The step of vertex v of contact t, behind A; its force of B is left in spring.f.     returns how far A and B are apart */
 SP__NOINLINE static sp_real sp__reflect_vertex(const sp__cra *c, const sp_contact *t, size_t v, sp_real kappa, sp__corner *z)
 {
-    const sp_real s = sp__cra_sbar(c, t), *d = c->spring.d + 3 * v;
+    const sp_real s = sp__reflect_scale(c, t), *d = c->spring.d + 3 * v;
     sp_real *f = c->spring.f + 3 * v, most = 0;
     sp__corner mirrored, next;
     for (int k = 0; k < 3; k++) {
@@ -163,7 +170,7 @@ SP__NOINLINE static void sp__reflect_begin(const sp__cra *c, int k, sp__corner *
     sp__cra_rates(c, c->w->y, c->spring.d);
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
-        const sp_real s = sp__cra_sbar(c, t);
+        const sp_real s = sp__reflect_scale(c, t);
         for (size_t v = (size_t)t->point; v < (size_t)t->point + (size_t)t->points; v++)
             for (size_t i = 0; i < 3; i++) {
                 const sp_real f = sp__in_units(c->w->measure.unit, c->statics[3 * v + i]) / s;
@@ -187,7 +194,7 @@ SP__NOINLINE static int sp__reflect_polish(sp__cra *c)
     sp__cra_rates(c, c->w->y, c->spring.d);
     for (int32_t q = 0; q < c->pb->contacts; q++) {
         const sp_contact *t = &c->pb->contact[q];
-        const sp_real s = sp__cra_sbar(c, t);
+        const sp_real s = sp__reflect_scale(c, t);
         for (size_t k = 3 * (size_t)t->point; k < 3 * ((size_t)t->point + (size_t)t->points); k++) {
             sp__corner *z = sp__reflect_point(c) + k / 3;
             z->f[k % 3] = kept[k % 3][k / 3] / s;

@@ -127,6 +127,23 @@ TEST(friction_beyond_its_cone_is_put_onto_it_and_slips_a_little_at_least)
     CHECK_NEAR(y.d[1], SP__REFLECT_LEAST, TOL(1e-12, 1e-5));
 }
 
+TEST(what_carries_nothing_is_scaled_as_if_it_carried_a_little)
+{
+    sp__scale scale[2];
+    memset(scale, 0, sizeof scale);
+    corner_of(0.5);
+    contact.a = 0;
+    contact.b = 1;
+    c.j.scale = scale;
+    c.sbar_most = 8;
+    for (int k = 0; k < 3; k++) {
+        static const double s[] = { 0, 1e-12, 2 };
+        scale[0].s = 8;
+        scale[1].s = R(s[k]);
+        CHECK_NEAR(sp__reflect_scale(&c, &contact), k == 2 ? 2 : 8 * (double)SP__REFLECT_LIGHT, TOL(1e-15, 1e-6));
+    }
+}
+
 #endif
 
 TEST_LIST(reflect)
@@ -135,5 +152,6 @@ TEST_LIST(reflect)
     RUN(no_direction_is_nearer_where_friction_is_free)
     RUN(a_corner_is_open_where_that_is_nearer)
     RUN(friction_beyond_its_cone_is_put_onto_it_and_slips_a_little_at_least)
+    RUN(what_carries_nothing_is_scaled_as_if_it_carried_a_little)
 #endif
 TEST_END
