@@ -40,15 +40,15 @@ static int sp__limit_upper_fell(sp__limit *L, sp_real next)
     return sp__limit_upper_at(L, at * L->ref);
 }
 
-/* A large multiple is carried, and the ends have not met: do the forces of much larger ones, in which dead loads have next to
- * no share, balance live loads alone? Where joints have strength: a question about live loads alone leaves most blocks without
- * load, and may stay open. Where they have an end the motion at hand stays. */
+/* A large multiple is carried: do the forces of much larger ones, in which dead loads have next to no share, balance live loads
+ * alone? Where joints have strength: a question about live loads alone leaves most blocks without load, and may stay open. Where
+ * they have an end the motion at hand stays. */
 SP__NOINLINE static void sp__limit_endless(sp__limit *L)
 {
     sp_limit_result *r = &L->r;
     const size_t bytes = 6 * (size_t)L->bracket.pb.blocks * sizeof *L->lower;
     sp_real a = r->lower / L->ref;
-    if (L->none || r->kind || !(a > SP__LIMIT_FAR) || !sp__limit_strong(L) || sp__limit_closed(L)) return;
+    if (L->none || r->kind || !(a > SP__LIMIT_FAR) || !sp__limit_strong(L)) return;
     memcpy(L->lower, L->bracket.dq, bytes);             /* nothing else asks for it any more */
     for (int it = 0; it < SP__LIMIT_ENDLESS && !r->kind && sp__engine_may_ask(&L->engine, &L->bracket); it++) {
         a *= 16;

@@ -172,22 +172,6 @@ TEST(a_large_multiple_shows_that_there_is_no_end)
     }
 }
 
-/* Ends that have met are the limit; apart by a little more than that, nothing is known beyond the lower one. */
-TEST(no_larger_multiple_is_asked_where_both_ends_have_met)
-{
-    const sp_real down[3] = { 0, 0, R(-2) * W };
-    for (int k = 0; k < 3 && sizeof(sp_real) == 8; k++) {
-        limit(NOTHING, down, &GLUED, 2);
-        L->bracket.set.tol = R(2e-5);
-        L->r.lower = 2001;
-        L->best = k == 2 ? SP__HUGE : R(1000.5 + (k ? 1.01 : 0.99) * SP__LIMIT_HALVED * 2e-5 * 1001.5 / (1 - SP__LIMIT_HALVED * 2e-5));
-        sp__limit_endless(L);
-        CHECK_INT(L->r.kind, k ? SP_LIMIT_UNBOUNDED : 0);
-        CHECK_NEAR(L->r.lower, k ? 16 * 2001 : 2001, 1e-12);
-        whole();
-    }
-}
-
 /* Glue holds three weights, so twice the weight is carried and sixteen times that is not: the motion found there is worse than
  * the one at hand. */
 TEST(the_motion_at_hand_stays_where_there_is_an_end)
@@ -450,7 +434,6 @@ TEST_LIST(ends)
     RUN(where_the_best_motion_fell_is_an_upper_end_once)
     RUN(what_carries_more_is_the_lower_end)
     RUN(a_large_multiple_shows_that_there_is_no_end)
-    RUN(no_larger_multiple_is_asked_where_both_ends_have_met)
     RUN(the_motion_at_hand_stays_where_there_is_an_end)
     RUN(a_question_left_open_is_asked_on_both_sides)
     RUN(an_interval_is_closed_halved_or_left)
