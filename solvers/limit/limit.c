@@ -41,8 +41,8 @@ static int sp__limit_upper_fell(sp__limit *L, sp_real next)
 }
 
 /* A large multiple is carried: do the forces of much larger ones, in which dead loads have next to no share, balance live loads
- * alone? Where joints have strength: a question about live loads alone leaves most blocks without load, and may stay open. Where
- * they have an end the motion at hand stays. */
+ * alone? Where joints have strength: a question about live loads alone leaves most blocks without load, and may stay open.
+ * Where they have an end the motion at hand stays. */
 SP__NOINLINE static void sp__limit_endless(sp__limit *L)
 {
     sp_limit_result *r = &L->r;
