@@ -132,12 +132,7 @@ static void ignore(int signal) { (void)signal; }
 /* Ctrl-C is heard by whoever began this process, and waits for it; once more ends both. */
 static void child_signals(void)
 {
-    struct sigaction once;
-    memset(&once, 0, sizeof once);
-    once.sa_handler = ignore;
-    once.sa_flags = SA_RESETHAND | SA_RESTART;
-    sigemptyset(&once.sa_mask);
-    sigaction(SIGINT, &once, NULL);
+    progress_once(ignore);
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGTERM);                   /* and it does not outlive that one */
 #endif

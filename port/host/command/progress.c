@@ -78,17 +78,19 @@ static void hear(int signal)
 }
 
 #ifdef _WIN32                           /* there a handler is heard once by itself */
-void progress_hear(void) { signal(SIGINT, hear); }
+void progress_once(void (*heard)(int signal)) { signal(SIGINT, heard); }
 #else
-void progress_hear(void)
+void progress_once(void (*heard)(int signal))
 {
     struct sigaction once;
     memset(&once, 0, sizeof once);
-    once.sa_handler = hear;
+    once.sa_handler = heard;
     once.sa_flags = SA_RESETHAND | SA_RESTART;
     sigemptyset(&once.sa_mask);
     sigaction(SIGINT, &once, NULL);
 }
 #endif
+
+void progress_hear(void) { progress_once(hear); }
 
 int progress_stopped(void) { return stopped; }

@@ -17,4 +17,7 @@ const sp_watch *progress_watch(const char *what);
 void progress_hear(void);
 int progress_stopped(void);
 
+/* The next Ctrl-C calls `heard`, the one after it ends the program. */
+void progress_once(void (*heard)(int signal));
+
 #endif
