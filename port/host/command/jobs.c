@@ -142,16 +142,16 @@ static void child_signals(void)
 static int child_files(const scene_job *job, int own, int n)
 {
     if (dup2(fileno(job[own].out), STDOUT_FILENO) < 0 || dup2(fileno(job[own].err), STDERR_FILENO) < 0) return 0;
-    for (int k = 0; k < n; k++) {
-        if (job[k].out) close(fileno(job[k].out));
-        if (job[k].err) close(fileno(job[k].err));
+    for (int k = 0; k < 2 * n; k++) {
+        FILE *const file = k % 2 ? job[k / 2].out : job[k / 2].err;
+        if (file && fileno(file) > STDERR_FILENO) close(fileno(file));
     }
     return 1;
 }
 
 static int child_end(int status)
 {
-    if (!fflush(stdout) && !ferror(stdout)) return status;
+    if ((!fflush(stdout) && !ferror(stdout)) || status == EXIT_INTERNAL) return status;
     fputs("stonepack: can't write\n", stderr);
     return EXIT_INTERNAL;
 }
