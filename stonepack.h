@@ -571,7 +571,7 @@ static inline const char *sp_coupling_reason_text(sp_coupling_reason reason)
 
 /* What the coupled check is asked with; eps, eta and eta / eps below 1e30. */
 typedef struct sp_coupled_settings {
-    int32_t asked;              /* 1: where the forces exist, ask for the motion; where none shows that takes some 2e10
+    int32_t asked;              /* 1: where the forces exist, ask for the motion; where none shows up to 2.5e10
                                    flops an island, or settings.budget                                                  0 */
     sp_real eps;                /* what a joint gives [m], >= 0; below 0: 1e-4 of the mean edge of the joints          -1 */
     sp_real eta;                /* largest dn, |dt| [m], > 0; 0: 100 eps, of an eps of 0 what 1e-2 of the mean edge is  0 */

@@ -152,14 +152,6 @@ def judge(cli, scene, problem, cone, gravity, want, distance, label, tols=TOLS[:
                 text=scene.text() if how == "wrong" else None)
 
 
-def held_to_a_millionth(r, top):
-    """Is the limit between the program's ends, and are these a millionth of it apart at most? Where a push nearly undoes gravity a
-    millionth of what is left, which the multiplier is held to otherwise, is less than that."""
-    ends = r.get("lower"), r.get("upper")
-    return None not in ends and ends[1] - ends[0] <= 1e-6 * top.value and \
-        ends[0] - top.error() <= top.value <= ends[1] + top.error()
-
-
 def judge_limit(cli, scene, cone, h, top, bottom, size, label):
     """The program's multiplier against that of the programme: right, undecided or wrong."""
     out = subprocess.run([cli, "limit", "--json", "--cone", cone, "--body=%r,%r,%r" % tuple(map(float, h)), "-"],
@@ -173,8 +165,7 @@ def judge_limit(cli, scene, cone, h, top, bottom, size, label):
         out_of = (low is not None and low > top.value + most) or (high is not None and high < top.value - most)
         how = "wrong" if out_of else "undecided"
     else:
-        near = isinstance(got, (int, float)) and (abs(got - top.value) <= most or held_to_a_millionth(r, top))
-        how = "right" if near and r["verified"] else "wrong"
+        how = "right" if isinstance(got, (int, float)) and abs(got - top.value) <= most and r["verified"] else "wrong"
         falls = r.get("falls_under_dead_loads")
         if bottom.status == "limit" and abs(bottom.value) > 1e-6 * size + bottom.error() and falls is (bottom.value > 0):
             how = "wrong"

@@ -124,7 +124,7 @@ enum { AHEAD = 4 };                     /* scenes for each job that may have end
 typedef struct scene_job {
     pid_t pid;                          /* 0: it does not run */
     FILE *out, *err;
-    int status;                         /* as waitpid has it; -1: it never ran */
+    int status;                         /* as waitpid has it; -1: not known */
 } scene_job;
 
 static void ignore(int signal) { (void)signal; }
