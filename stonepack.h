@@ -404,7 +404,8 @@ typedef enum sp_effect_why {
     SP_WHY_FOREST               /* off: contacts form a forest, or nothing need move: the triple follows without a search */
 } sp_effect_why;
 
-/* The help one joint would need, from the penalty form; joined with a motion where that was asked and one was found. */
+/* The help one joint would need, where settings.localise: from the penalty form; joined with a motion where that was asked and
+ * one was found. 0 where it was not asked. */
 typedef struct sp_demand {
     sp_real tension;            /* largest max(0, fm - fp) of its vertices, less what its strength holds [N] */
     sp_real friction;           /* largest |ft| - mu max(0, fp - fm) of its vertices, likewise, or 0 [N] */
@@ -474,8 +475,8 @@ typedef struct sp_extremes {
     sp_real utilisation;        /* largest of the joints' [1] */
     sp_real corner_utilisation; /* largest of the corners', the specification's number [1]                       [seed 1.6] */
     sp_real tension_ratio;      /* the seed's own number, max fm / max fp of SP_STAGE_ADMM's solution [1]; -1: there is none */
-    int32_t weakest;            /* joint, where something falls one of a block that moves: most help demanded, else highest
-                                   utilisation; -1 if there is none */
+    int32_t weakest;            /* joint, -1 if there is none: of what falls one of a block that moves, most help demanded, else
+                                   the one that opens or slides fastest; of what stands the highest utilisation */
 } sp_extremes;
 
 /* What took part: free blocks, the joints that touch one, and their corners. */
@@ -630,8 +631,9 @@ struct sp_settings {
                                    a fifth at most). A custom stage heeds state.left by itself                           0 */
     sp_choice effect[SP_EFFECTS_FORCED];        /* by sp_effect                                                   planned */
     sp_coupled_settings coupled;                /* the coupled check */
-    int32_t localise;           /* where not stable, solve the penalty form to see where help is wanted, but for stones without
-                                   a path to a support; with coupled.asked where not coupled, joined with a motion     1 */
+    int32_t localise;           /* 1: where not stable, solve the penalty form to see where help is wanted, but for stones
+                                   without a path to a support; with coupled.asked where not coupled, joined with a motion. It
+                                   takes as long as the verdict, or longer                                                0 */
     int32_t iterations;         /* >= 0: factorisations an exact solve may spend; below 300 nothing is left out by plan 300 */
     sp_real force_bound;        /* forces above this multiple of the ordinary ones count as none;
                                    >= 0; 0: tol/(10u), 4 at least, 1e6 at most

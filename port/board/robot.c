@@ -118,7 +118,6 @@ static sp_verdict stands(sp_scene *scene, sp_real x, sp_real y, sp_arena scratch
     sp_settings set = sp_settings_default();
     sp_result r;
     set.iterations = ROUNDS;
-    set.localise = 0;
     scene->body[0] = x * GRAVITY;
     scene->body[1] = y * GRAVITY;
     const sp_status status = sp_check(scene, &set, &scratch, &r);

@@ -57,6 +57,8 @@ static const char help_check[] =
 "                     where NAME is one of friction, depth (the third dimension), together (islands), coupled (as\n"
 "                     --coupled); those not named as planned, see `plan`; the other effects are the scene's\n"
 "  --tilt DEG[,AZ]    turns gravity by DEG degrees towards AZ, level: from x to y  0\n"
+"  --localise         where it does not stand asks, too, which joints would have to pull: takes as long as the verdict, or\n"
+"                     longer; --json, --csv, pictures and --coupled ask it by themselves\n"
 "  --strong           asks, too, whether it stands whatever friction does, or by its history only\n"
 "  --corners          with it: where pressure is at the corners that joints list   anywhere in the joints\n"
 "  --coupled          asks, too, for a virtual motion that explains the forces\n"

@@ -243,7 +243,7 @@ int32_t CALLED(page_check)(void)
     forget_result();
     page.error.status = 0;
     changed_apply(&page.changed);
-    page.asked.forces = 1;
+    page.asked.forces = page.asked.settings.localise = 1;
     page.report.scene = &page.changed.now;
     page.report.options = &page.asked;
     const sp_status status = run_check(&page.changed.now.scene, &page.asked.settings, &page.report.result, &page.report.cost,

@@ -15,8 +15,29 @@ static int sp__joint_goes(const sp_joint *t, const sp_real *dq, sp_real largest)
     return !(most < (sp_real)1e-6 * largest);
 }
 
-/* Reading the force state: extremes over the joints, and the weakest of them: of what falls, one of the mechanism. Joints are
- * compared by their resultants, with the seed's constants in the settings by their corners.                    [seed 1.6] */
+/* How fast joint t opens or slides in the motion: largest |dd| of its corners. */
+static sp_real sp__joint_speed(const sp_scene *scene, const sp_joint *t, const sp_real *dq)
+{
+    sp_real most = 0;
+    for (int32_t v = t->point; v < t->point + t->points; v++) {
+        sp_real dd[3] = { 0, 0, 0 };
+        for (int side = 0; side < 2; side++) {
+            const int32_t b = side ? t->a : t->b;
+            const sp_real *m = dq + 6 * (size_t)b, sign = side ? -1 : 1;
+            sp_real arm[3], w[3];
+            sp__sub3(scene->point[v], scene->block[b].centroid, arm);
+            sp__cross3(m + 3, arm, w);
+            sp__add3(dd, sign, m);
+            sp__add3(dd, sign, w);
+        }
+        most = sp__max(most, sp__norm3(dd));
+    }
+    return most;
+}
+
+/* Reading the force state: extremes over the joints, and the weakest of them: of what falls, one of the mechanism, where no
+ * help is known the one that opens or slides fastest. What stands is compared by resultants, with the seed's constants in the
+ * settings by corners.                                                                                         [seed 1.6] */
 SP__NOINLINE static void sp__read_extremes(const sp_scene *scene, const sp_settings *set, sp_result *r)
 {
     sp_real worst = -1;
@@ -42,7 +63,8 @@ SP__NOINLINE static void sp__read_extremes(const sp_scene *scene, const sp_setti
         sp_joint_resultant(scene, r, k, &f);
         const sp_real help = sp__max(r->demand[k].tension, r->demand[k].friction);
         const int wanted = help > tiny;
-        const sp_real score = wanted ? help : set->seed ? f.corner_utilisation : f.utilisation;
+        const sp_real score = wanted ? help : largest > 0 ? sp__joint_speed(scene, &scene->joint[k], r->dq)
+                            : set->seed ? f.corner_utilisation : f.utilisation;
         if (wanted > wants || (wanted == wants && score > worst)) { wants = wanted; worst = score; most->weakest = k; }
     }
 }

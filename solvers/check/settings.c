@@ -21,7 +21,6 @@ SP_API sp_settings sp_settings_default(void)
     s.inscribed = 1;
     s.penalty.gamma = 1000;
     s.penalty.tau = 1;
-    s.localise = 1;
     s.iterations = SP__ITERATIONS;
     s.budget = 0;
     s.stage_count = 2;
@@ -37,6 +36,7 @@ SP_API sp_settings sp_settings_seed(void)
 {
     sp_settings s = sp_settings_default();
     sp__seed_settings(&s);
+    s.localise = 1;
     s.stage_count = 4;
     s.stage[1] = SP_STAGE_LEAST_SQUARES;
     s.stage[2] = SP_STAGE_POLISH;

@@ -103,7 +103,6 @@ SP__NOINLINE static sp_status sp__engine_gates(sp__engine *g, sp__bracket *b, sp
 {
     sp_arena room = g->rest;
     b->set.iterations = g->n.left < g->most ? g->n.left : g->most;
-    b->set.localise = 1;
     g->state.f = f;
     memset(f, 0, 3 * (size_t)b->pb.points * sizeof *f);
     g->state.y0 = b->hint;

@@ -60,6 +60,13 @@ static double norm(const sp_real v[3])
 
 /* 1 ----------------------------------------------------------------------------------------------------- demanded help */
 
+static sp_settings helped(void)
+{
+    sp_settings set = sp_settings_default();
+    set.localise = 1;
+    return set;
+}
+
 /* A box 1 long that overhangs its support by more than half: about the outer edge of the joint, of width w, its weight has the
  * arm d, so the inner edge pulls W d / w and the outer one presses W (1 + d / w), half of it at either corner. That is
  * equilibrium alone, whatever tension costs. */
@@ -71,7 +78,7 @@ TEST(tension_of_an_overhanging_box_follows_from_its_moments)
         for (size_t i = 0; i < sizeof gamma / sizeof gamma[0] - TOL(0, 1); i++) {
             const double x = table[k].offset, h = table[k].height, W = density * h * gravity;
             const double ground[2][3] = { { 0, 0, -h }, { 1, 1, 0 } }, top[2][3] = { { x, 0, 0 }, { 1 + x, 1, h } };
-            sp_settings set = sp_settings_default();
+            sp_settings set = helped();
             sp_scene s;
             test_arena.used = 0;
             set.penalty.gamma = R(gamma[i]);
@@ -91,7 +98,7 @@ TEST(tension_of_an_overhanging_box_follows_from_its_moments)
 TEST(net_friction_shows_no_tension)
 {
     sp_scene s;
-    sp_settings set = sp_settings_default();
+    sp_settings set = helped();
     set.penalty.net = 1;
     build("two-cubes", "offset", 0.75, &s);
     const sp_result r = check(&s, &set, SP_UNSTABLE);
@@ -103,16 +110,16 @@ TEST(net_friction_shows_no_tension)
 TEST(nothing_is_demanded_where_it_stands_or_nobody_asks)
 {
     sp_scene s;
-    sp_settings set = sp_settings_default();
+    const sp_settings set = helped();
     build("two-cubes", "offset", 0.4, &s);
-    const sp_result stands = check(&s, NULL, SP_STABLE);
+    const sp_result stands = check(&s, &set, SP_STABLE);
     CHECK_WITHIN(stands.demand[0].tension, 0, 0);
     CHECK_WITHIN(stands.demand[0].friction, 0, 0);
     build("two-cubes", "offset", 0.6, &s);
-    set.localise = 0;
-    const sp_result silent = check(&s, &set, SP_UNSTABLE);
+    const sp_result silent = check(&s, NULL, SP_UNSTABLE);
     CHECK_WITHIN(silent.demand[0].tension, 0, 0);
-    const sp_result told = check(&s, NULL, SP_UNSTABLE);
+    const sp_result told = check(&s, &set, SP_UNSTABLE);
+    CHECK(told.demand[0].tension > 0);
     CHECK(told.spent.total.flops > silent.spent.total.flops);
 }
 
@@ -129,7 +136,7 @@ TEST(missing_friction_of_a_sliding_block_follows_from_its_price)
         const double g = gamma[i & 1], t = tau[i >> 1 & 1], a = angle[i >> 2] / deg, mu = 0.6, h = 0.2;
         gen_scene scene;
         sp_scene s;
-        sp_settings set = sp_settings_default();
+        sp_settings set = helped();
         test_arena.used = 0;
         set.penalty.gamma = R(g);
         set.penalty.tau = R(t);
@@ -432,7 +439,8 @@ TEST(tension_counts_before_utilisation)
     level(&s, 0, 1, 0, 1, 0, 1, 0, 0.05);
     level(&s, 1, 2, 0.7, 1, 0, 1, 0.2, 0.84);
     gen_gravity(2, 90, s.gravity);
-    const sp_result r = check(&s, NULL, SP_UNSTABLE);
+    const sp_settings set = helped();
+    const sp_result r = check(&s, &set, SP_UNSTABLE);
     CHECK_INT(r.extremes.weakest, 1);
     CHECK(r.demand[1].tension > r.demand[0].tension);
 }
@@ -459,6 +467,63 @@ TEST(the_weakest_joint_of_what_falls_touches_what_moves)
         CHECK(here >= 1e-6 * all);
     }
     CHECK(falls > 0);
+}
+
+/* Velocity of corner v of a joint's B, seen from its A. */
+static double speed(const sp_scene *s, const sp_real *dq, const sp_joint *t, int32_t v)
+{
+    double u[3] = { 0, 0, 0 };
+    for (int side = 0; side < 2; side++) {
+        const int32_t b = side ? t->a : t->b;
+        const sp_real *m = dq + 6 * b;
+        double r[3];
+        for (int k = 0; k < 3; k++) r[k] = (double)(s->point[v][k] - s->block[b].centroid[k]);
+        for (int k = 0; k < 3; k++)
+            u[k] += (side ? -1 : 1) * ((double)m[k] + (double)m[3 + (k + 1) % 3] * r[(k + 2) % 3] - (double)m[3 + (k + 2) % 3] * r[(k + 1) % 3]);
+    }
+    return sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+}
+
+TEST(where_help_is_not_known_the_weakest_joint_opens_or_slides_fastest)
+{
+    static const struct { const char *name, *param; double value; } falling[] = {
+        { "overhang", "n", 8 }, { "arch", "t", 0.09 }, { "incline", "angle", 45 }, { "rubble", "tilt", 40 }, { "wall", "tilt", 50 }
+    };
+    for (size_t k = 0; k < sizeof falling / sizeof *falling; k++) {
+        sp_scene s;
+        sp_result r;
+        double most = 0, there = 0;
+        test_arena.used = 0;
+        build(falling[k].name, falling[k].param, falling[k].value, &s);
+        if (!k) gen_gravity(30, 0, s.gravity);
+        NEED(CHECK_INT(sp_check(&s, NULL, &test_arena, &r), SP_OK));
+        if (!CHECK_INT(r.verdict, SP_UNSTABLE) || !CHECK(r.extremes.weakest >= 0)) continue;
+        for (int32_t i = 0; i < s.count.joints; i++)
+            for (int32_t v = s.joint[i].point; v < s.joint[i].point + s.joint[i].points; v++) {
+                const double u = speed(&s, r.dq, &s.joint[i], v);
+                most = fmax(most, u);
+                if (i == r.extremes.weakest) there = fmax(there, u);
+            }
+        CHECK(most > 0);
+        CHECK_NEAR(there, most, TOL(1e-12, 1e-4));
+    }
+}
+
+/* Two slabs on a slope: the lower one slides and takes the upper one along, whose joint uses more of its friction. */
+TEST(a_joint_that_rides_along_is_not_the_weakest)
+{
+    const double low[2][3] = { { 0, 0, -1 }, { 4, 1, 0 } }, middle[2][3] = { { 1, 0, 0 }, { 2, 1, 0.1 } };
+    const double top[2][3] = { { 1, 0, 0.1 }, { 2, 1, 0.2 } };
+    sp_scene s;
+    start(&s, 3, 2);
+    box(&s, low[0], low[1], SP_FIXED);
+    box(&s, middle[0], middle[1], 0);
+    box(&s, top[0], top[1], 0);
+    level(&s, 1, 2, 1, 2, 0, 1, 0.1, 0.5);
+    level(&s, 0, 1, 1, 2, 0, 1, 0, 0.3);
+    gen_gravity(20, 0, s.gravity);
+    const sp_result r = check(&s, NULL, SP_UNSTABLE);
+    CHECK_INT(r.extremes.weakest, 1);
 }
 
 TEST(without_joints_there_is_no_weakest)
@@ -587,12 +652,13 @@ TEST(two_runs_give_the_same_bits)
     for (size_t k = 0; k < sizeof sample / sizeof sample[0]; k++) {
         sp_scene s, t;
         sp_result a, b;
+        const sp_settings set = helped();
         test_arena.used = 0;
         build(sample[k].name, sample[k].param, sample[k].value, &s);
-        CHECK_INT(sp_check(&s, NULL, &test_arena, &a), SP_OK);
+        CHECK_INT(sp_check(&s, &set, &test_arena, &a), SP_OK);
         memset(test_arena.base + test_arena.used, 0xa5, 1u << 20);      /* nothing may depend on what memory held */
         build(sample[k].name, sample[k].param, sample[k].value, &t);
-        CHECK_INT(sp_check(&t, NULL, &test_arena, &b), SP_OK);
+        CHECK_INT(sp_check(&t, &set, &test_arena, &b), SP_OK);
         CHECK_INT(a.verdict, b.verdict);
         CHECK(same_bytes(a.f, b.f, 3 * (size_t)s.count.points * sizeof *a.f));
         CHECK(same_bytes(a.dq, b.dq, 6 * (size_t)s.count.blocks * sizeof *a.dq));
@@ -702,6 +768,8 @@ TEST_LIST(result)
     RUN(the_weakest_joint_has_the_least_friction_left)
     RUN(tension_counts_before_utilisation)
     RUN(the_weakest_joint_of_what_falls_touches_what_moves)
+    RUN(where_help_is_not_known_the_weakest_joint_opens_or_slides_fastest)
+    RUN(a_joint_that_rides_along_is_not_the_weakest)
     RUN(without_joints_there_is_no_weakest)
     RUN(a_toppling_cube_turns_about_the_edge)
     RUN(mechanisms_have_one_size)

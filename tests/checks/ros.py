@@ -138,7 +138,7 @@ check("joints, masses and loads that are given", got.ok and got.verdict.verdict 
 # The worker says what the library says, at every forces' bit.
 for name in sorted(pathlib.Path("tests/scenes").glob("*.obj")):
     read = stonepack.read(str(name))
-    here, there = read.check(localise=False), bridge.answer_of(worker.ask(bridge.request_of(read)), read)
+    here, there = read.check(), bridge.answer_of(worker.ask(bridge.request_of(read)), read)
     flat = [x for triple in here.forces for x in triple]
     verdict = ("undecided", "stable", "unstable")[there["verdict"]]
     check("%s: the worker's forces" % name.name, here.verdict == verdict and flat == list(there["f"]))

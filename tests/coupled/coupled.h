@@ -19,7 +19,7 @@ static void build(const char *name, const char *param, double value, sp_scene *s
 static sp_settings coupled(void)
 {
     sp_settings set = sp_settings_default();
-    set.coupled.asked = 1;
+    set.coupled.asked = set.localise = 1;
     set.coupled.eps = EPS;
     set.coupled.eta = ETA;
     return set;
@@ -30,7 +30,7 @@ static sp_settings coupled(void)
 static sp_settings asked(double ratio, int box)
 {
     sp_settings set = sp_settings_default();
-    set.coupled.asked = 1;
+    set.coupled.asked = set.localise = 1;
     set.coupled.eps = R(1e-4);
     set.coupled.eta = R(1e-4 * ratio);
     set.coupled.box = box;

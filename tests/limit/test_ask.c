@@ -176,7 +176,6 @@ TEST(gates_start_from_no_forces_with_what_is_left)
         sp__bracket_load(&b, 1, 0);
         CHECK_INT(sp__engine_gates(&g, &b, f, &claim), SP_OK);
         CHECK_INT(b.set.iterations, k ? 21 : 20);
-        CHECK_INT(b.set.localise, 1);
         CHECK_INT(b.spent, !k);
         CHECK(g.state.f == f && g.state.y0 == b.hint);
         if (!k) for (int e = 0; e < 12; e++) CHECK(!(f[e] < 0 || f[e] > 0));

@@ -401,15 +401,17 @@ TEST(what_has_a_mirror_is_searched_in_its_plane_for_less_work)
     }
 }
 
-/* Work of a limit over that of a check of the same scene just beyond it. */
+/* Work of a limit over that of a check of the same scene just beyond it that tells where help is wanted. */
 TEST(a_limit_takes_less_than_four_times_the_work_of_a_check_that_falls)
 {
     for (int k = 0; k < MIRRORED; k++) {
         sp_scene s = mirrored_scene(k);
         const sp_limit_result x = limit_of(&s, NULL);
+        sp_settings set = sp_settings_default();
         sp_result r;
+        set.localise = 1;
         s.live = x.multiplier * TOL(R(1.01), R(1.1));
-        CHECK_INT(sp_check(&s, NULL, &test_arena, &r), SP_OK);
+        CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_OK);
         if (TOL(1, 0)) CHECK_INT(r.verdict, SP_UNSTABLE);
         else CHECK(r.verdict != SP_STABLE);             /* the arch of 60 is beyond float */
         const double times = (double)x.cost.flops / (double)r.spent.total.flops;

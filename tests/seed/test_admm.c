@@ -138,6 +138,7 @@ TEST(tension_of_a_cube_beyond_the_edge_is_that_of_statics)
         sp_settings set = admm(8, 1, 0);
         test_arena.used = 0;
         build("two-cubes", "offset", offset[k], &scene);
+        set.localise = 1;
         const sp_result r = check(&scene, &set);
         CHECK_INT(r.verdict, SP_UNDECIDED);
         CHECK_TEXT(sp_reason_text(r.reason), "tension");

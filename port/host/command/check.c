@@ -168,7 +168,7 @@ int command_check(int argc, char **argv)
 
     if (options_read(argc, argv, " --json --forces --svg --png --html --out-obj --csv --view --names"
                      " --tol --budget --cone --stages --solver --preset --net"
-                     " --tilt --strong --corners --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects"
+                     " --tilt --localise --strong --corners --coupled --cra-eps --cra-eta --cra-box --cra-nodes --effects"
                      " --worker --fallback --skip-done --jobs"
                      SCENE_OPTIONS, &o, &error)) {
         fprintf(stderr, "%s\n", error.line);
@@ -181,6 +181,7 @@ int command_check(int argc, char **argv)
               : "stonepack: --html tells of one scene\n", stderr);
         return EXIT_USAGE;
     }
+    if (o.json || o.svg || o.png || o.html || o.csv || o.settings.coupled.asked) o.settings.localise = 1;   /* they show it */
     if (outputs_check(&o, NULL, &error) || outputs_check_obj("--out-obj", o.model, &error)
         || (o.done && done_read(o.done, &done, &error))) {
         fprintf(stderr, "%s\n", error.line);

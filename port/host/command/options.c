@@ -388,6 +388,7 @@ static int set_flag(options *o, const char *name)
     if (strcmp(name, "--quiet") == 0) return o->quiet = 1;
     if (strcmp(name, "--split") == 0) return o->scene.amend.split = 1;
     if (strcmp(name, "--forces") == 0) return o->forces = 1;
+    if (strcmp(name, "--localise") == 0) return o->settings.localise = 1;
     if (strcmp(name, "--coupled") == 0) return o->settings.coupled.asked = 1;
     if (strcmp(name, "--strong") == 0) return o->strong = 1;
     if (strcmp(name, "--corners") == 0) return o->corners = 1;

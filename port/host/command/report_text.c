@@ -130,7 +130,8 @@ static void text_weakest(FILE *out, const report *r)
         fputs("none is near its limit\n", out);
         return;
     }
-    fprintf(out, "%s - %s", r->scene->name[s->joint[x->extremes.weakest].a], r->scene->name[s->joint[x->extremes.weakest].b]);
+    const sp_joint *t = &s->joint[x->extremes.weakest];
+    fprintf(out, "%s - %s", r->scene->name[t->a], r->scene->name[t->b]);
     if (help->friction > help->tension) {
         fputs(": lacks ", out);
         put_scaled(out, (double)help->friction, "N");
@@ -139,7 +140,8 @@ static void text_weakest(FILE *out, const report *r)
         fputs(": asks for ", out);
         put_scaled(out, (double)help->tension, "N");
         fputs(" of tension\n", out);
-    } else fprintf(out, ": friction used to %.0f %%, to %.0f %% at a corner\n", 100 * (double)f.utilisation,
+    } else if (x->verdict == SP_UNSTABLE) fprintf(out, ": %s\n", motion_opens(s, x, t) ? "opens" : "slides");
+    else fprintf(out, ": friction used to %.0f %%, to %.0f %% at a corner\n", 100 * (double)f.utilisation,
                    100 * (double)f.corner_utilisation);
 }
 
@@ -152,6 +154,16 @@ static void text_mechanism(FILE *out, const report *r)
     for (int k = 0; k < moving && k < MOTION_NAMED; k++) fprintf(out, "%s%s", k ? ", " : "", r->scene->name[fastest[k]]);
     if (moving > MOTION_NAMED) fprintf(out, " and %ld more", (long)(moving - MOTION_NAMED));
     fputc('\n', out);
+}
+
+/* Where help is wanted was not asked: how to ask. */
+static void text_help(FILE *out, const report *r)
+{
+    const sp_reason why = r->result.reason;
+    if (r->result.verdict == SP_STABLE || r->options->settings.localise || why == SP_REASON_NO_SUPPORT
+        || why == SP_REASON_NO_CONTACT) return;
+    report_row(out, "help");
+    fputs("--localise tells which joints would have to pull\n", out);
 }
 
 /* How the islands do; those that don't stand by the names of their first blocks. */
@@ -271,6 +283,7 @@ void report_text(FILE *out, const report *r)
     text_published(out, r->published);
     text_weakest(out, r);
     text_mechanism(out, r);
+    text_help(out, r);
     text_forces(out, r);
     text_penalty(out, r);
     text_scene(out, r);

@@ -362,7 +362,7 @@ class Result(_Answer):
 
     @property
     def max_tension(self) -> float:
-        """Largest tension asked for [N]."""
+        """Largest tension asked for [N]; 0 unless check(localise=True)."""
         return self._c.extremes.tension
 
     @property

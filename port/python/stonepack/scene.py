@@ -19,12 +19,12 @@ _ON = (c.SP_WHY_CALLED, c.SP_WHY_ASKED, c.SP_WHY_STAGES)
 
 
 def _settings(tol: Optional[float] = None, coupled: bool = False, eps: Optional[float] = None, eta: Optional[float] = None,
-              cone: str = "true", budget: int = 0, localise: bool = True, iterations: Optional[int] = None,
+              cone: str = "true", budget: int = 0, localise: bool = False, iterations: Optional[int] = None,
               force_bound: Optional[float] = None, without: Union[str, Sequence[str]] = (), **other: Any) -> Any:
     """sp_settings of these words; None: the default ones."""
     if other:
         raise SceneError("no setting is called %s; help(stonepack.Scene.check) tells them" % ", ".join(other))
-    if tol is None and not coupled and cone == "true" and not budget and localise and iterations is None \
+    if tol is None and not coupled and cone == "true" and not budget and not localise and iterations is None \
             and force_bound is None and not without:
         return None
     s = lib.sp_settings_default()
@@ -116,7 +116,7 @@ class Scene(Assembly):
         coupled     ask for a motion that explains the forces, too; eps, eta [m]: how much joints give, how far they may move
         cone        "true", or a pyramid: "8i" inscribed, "4c" circumscribed
         budget      flops it may spend; 0: no limit
-        localise    False: don't ask where help is wanted, where it does not stand
+        localise    True: where it does not stand, ask where help is wanted; takes as long as the verdict, or longer
         without     effects to leave out: "friction", "depth", "together"
         """
         key, s = _settings_of(settings)

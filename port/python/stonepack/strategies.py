@@ -64,7 +64,7 @@ _REGULAR = {n: _regular(n) for n in (3, 5, 6, 8)}
 
 def _as_asked(scene: Scene, standing: Optional[bool]) -> Scene:
     if standing is not None:
-        result = scene.check(localise=False)
+        result = scene.check()
         assume(result.stable if standing else result.unstable)
     return scene
 
