@@ -112,6 +112,10 @@ static void sp__cone_foot(const sp__cone *k, const sp__yield *yield, int plain, 
         if (u[0] >= 0 && o->a <= mu * u[0]) { o->region = SP__INSIDE; return; }
         if (mu * o->a <= -u[0]) { o->region = SP__APEX; return; }
     }
+    if (SP__WITH_LARGE && k->faces && yield->plain) {    /* the pyramid lies between the cones of mu and of mu / cos(pi/K) */
+        if (u[0] >= 0 && (sp_real)1.001 * o->a <= mu * u[0]) { o->region = SP__INSIDE; return; }
+        if (mu * o->a * (1 + k->tan_half * k->tan_half) <= -u[0]) { o->region = SP__APEX; return; }
+    }
     sp__cone_frame(k, u, o);
     if (!plain) { sp__yield_foot(k, yield, u[0], o); return; }
     if (k->faces && u[0] >= 0 && o->a <= mu * u[0]) { o->region = SP__INSIDE; return; }
@@ -143,7 +147,7 @@ SP__NOINLINE static sp__region sp__cone_derivative(const sp__cone *k, const sp__
 {
     const sp_real mu = yield->mu;
     sp__foot o;
-    o.w[0] = o.w[1] = o.t = 0;                  /* inside a true cone and at its apex: neither written nor read */
+    o.w[0] = o.w[1] = o.t = 0;                  /* inside a plain cone and at its apex: neither written nor read */
     sp__cone_foot(k, yield, yield->plain, u, &o);
     D[0] = D[1] = D[2] = D[3] = D[4] = D[5] = 0;
     if (o.region == SP__INSIDE) D[0] = 1;

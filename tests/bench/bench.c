@@ -146,13 +146,12 @@ static void add_checks(bench *b, int contacts)
     add(b, CHECK, "true", &s);
     add(b, VERIFY, "hint", &s)->hint = 1;
     add(b, VERIFY, "alone", &s);
-    s.localise = 0;
-    if (b->expected != SP_STABLE) add(b, CHECK, "true without localise", &s);
     s.localise = 1;
+    if (b->expected != SP_STABLE) add(b, CHECK, "true and where help is wanted", &s);
+    s.localise = 0;
     s.faces = 8;
     add(b, CHECK, "8 inscribed", &s);
     s.faces = 0;
-    s.localise = 0;
     s.stage[1] = SP_STAGE_LEAST_SQUARES;
     if (b->expected == SP_STABLE) add(b, CHECK, "least squares", &s);
     if (contacts && b->scene.count.points <= 700 && !strcmp(b->family, "wall")) add_seed(b);
