@@ -36,21 +36,24 @@ static void velocity(const sp_scene *s, const sp_real *dq, int32_t b, const sp_r
         v[k] = (double)m[k] + (double)m[3 + (k + 1) % 3] * r[(k + 2) % 3] - (double)m[3 + (k + 2) % 3] * r[(k + 1) % 3];
 }
 
-int motion_opens(const sp_scene *s, const sp_result *x, const sp_joint *t)
+const char *motion_of_joint(const sp_scene *s, const sp_result *x, const sp_joint *t)
 {
     double fastest = 0;
-    int opens = 0;
+    const char *does = NULL;
     for (int32_t p = t->point; p < t->point + t->points; p++) {
-        double a[3], b[3], size = 0, up = 0;
+        double a[3], b[3], size = 0, up = 0, all = 0;
         velocity(s, x->dq, t->a, s->point[p], a);
         velocity(s, x->dq, t->b, s->point[p], b);
         for (int k = 0; k < 3; k++) {
+            all += a[k] * a[k] + b[k] * b[k];
             size += (b[k] - a[k]) * (b[k] - a[k]);
             up += (b[k] - a[k]) * (double)t->n[k];
         }
-        if (size > fastest) { fastest = size; opens = 2 * up * up > size; }
+        if (!(size > fastest && size > MOTION_STILL * MOTION_STILL * all)) continue;
+        fastest = size;
+        does = 2 * up * up > size ? "opens" : "slides";
     }
-    return opens;
+    return does;
 }
 
 int32_t motion_fastest(const sp_scene *s, const sp_result *x, int32_t most, int32_t *block)

@@ -140,7 +140,7 @@ static void text_weakest(FILE *out, const report *r)
         fputs(": asks for ", out);
         put_scaled(out, (double)help->tension, "N");
         fputs(" of tension\n", out);
-    } else if (x->verdict == SP_UNSTABLE) fprintf(out, ": %s\n", motion_opens(s, x, t) ? "opens" : "slides");
+    } else if (x->verdict == SP_UNSTABLE && motion_of_joint(s, x, t)) fprintf(out, ": %s\n", motion_of_joint(s, x, t));
     else fprintf(out, ": friction used to %.0f %%, to %.0f %% at a corner\n", 100 * (double)f.utilisation,
                    100 * (double)f.corner_utilisation);
 }

@@ -150,8 +150,8 @@ static void legend_weakest(const words *w, double x, double y)
         fputs(", lacks ", w->out);
         page_quantity(w->out, fmax((double)help->tension, (double)help->friction), "N");
         fputs(help->friction > help->tension ? " of friction" : " of tension", w->out);
-    } else if (w->of->result->verdict == SP_UNSTABLE)
-        fputs(motion_opens(w->d->s, w->of->result, &w->d->s->joint[i]) ? ", opens" : ", slides", w->out);
+    } else if (w->of->result->verdict == SP_UNSTABLE && motion_of_joint(w->d->s, w->of->result, &w->d->s->joint[i]))
+        fprintf(w->out, ", %s", motion_of_joint(w->d->s, w->of->result, &w->d->s->joint[i]));
     else if (sp_joint_resultant(w->d->s, w->of->result, i, &f) == SP_OK)
         fprintf(w->out, ", friction used to %.0f %%", 100 * (double)f.utilisation);
     if (w->behind) fputs("; behind other blocks", w->out);

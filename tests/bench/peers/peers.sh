@@ -5,7 +5,8 @@
 #
 # PREFIX: where include/ and lib/ of a solver are, or its folder after `make` (else the compiler's own places). All but PIQP as
 # static libraries: each is linked with its adapter into one object that shows nothing else, as several bring their own AMD and
-# QDLDL with integers of their own. QOCO 0.3.2 does not install all its headers: include/*.h and algebra/*/*.h belong there.
+# QDLDL with integers of their own. QOCO 0.3.2 does not install all its headers: include/*.h and algebra/*/*.h belong beside those
+# it does. An SCS with LAPACK, which its acceleration needs, has to bring that in its libscsdir.a (a serial OpenBLAS by `ld -r`).
 # QPS: a folder of QPS files, such as the Maros-Meszaros collection. HiGHS: that of python3's SciPy. TEXT: only checks of scenes
 # whose group or words contain it. Writes build/peers-check.csv, build/peers-qp.csv and build/peers-limit.csv.
 set -eu
