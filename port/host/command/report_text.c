@@ -163,7 +163,7 @@ static void text_help(FILE *out, const report *r)
     if (r->result.verdict == SP_STABLE || r->options->settings.localise || why == SP_REASON_NO_SUPPORT
         || why == SP_REASON_NO_CONTACT) return;
     report_row(out, "help");
-    fputs("--localise tells which joints would have to pull\n", out);
+    fputs("--localise tells which joints lack tension or friction\n", out);
 }
 
 /* How the islands do; those that don't stand by the names of their first blocks. */
