@@ -633,7 +633,7 @@ struct sp_settings {
     sp_coupled_settings coupled;                /* the coupled check */
     int32_t localise;           /* 1: where not stable, solve the penalty form to see where help is wanted, but for stones
                                    without a path to a support; with coupled.asked where not coupled, joined with a motion. It
-                                   takes as long as the verdict, or longer                                                0 */
+                                   takes up to twice as long then                                                         0 */
     int32_t iterations;         /* >= 0: factorisations an exact solve may spend; below 300 nothing is left out by plan 300 */
     sp_real force_bound;        /* forces above this multiple of the ordinary ones count as none;
                                    >= 0; 0: tol/(10u), 4 at least, 1e6 at most

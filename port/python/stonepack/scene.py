@@ -116,7 +116,7 @@ class Scene(Assembly):
         coupled     ask for a motion that explains the forces, too; eps, eta [m]: how much joints give, how far they may move
         cone        "true", or a pyramid: "8i" inscribed, "4c" circumscribed
         budget      flops it may spend; 0: no limit
-        localise    True: where it does not stand, ask where help is wanted; takes as long as the verdict, or longer
+        localise    True: where it does not stand, ask where help is wanted; takes up to twice as long
         without     effects to leave out: "friction", "depth", "together"
         """
         key, s = _settings_of(settings)
