@@ -79,6 +79,7 @@ TEST(building_and_checking_keep_to_their_pieces)
             sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
             size_t bytes;
             sp_settings set = sp_settings_default();
+            set.localise = 1;
             set.faces = faces;
             prepare(k, &s);
             CHECK_INT(sp_memory(&s, SP_FOR_CHECK, &set, test_arena, &bytes), SP_OK);
@@ -97,6 +98,7 @@ TEST(every_stage_keeps_to_its_pieces)
             sp_scene s;
             sp_result r;
             sp_settings set = sp_settings_default();
+            set.localise = 1;
             set.stage_count = 1;
             set.stage[0] = (sp_stage_id)id;
             set.penalty.net = id % 2;

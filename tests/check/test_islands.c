@@ -199,7 +199,7 @@ TEST(seven_h_models_side_by_side_are_refuted_each_and_verified_in_the_memory_tol
     sp_settings set = sp_settings_default();
     sp_evidence e;
     for (int k = 0; k < 7; k++) add(&s, &h, 20 * k, plain);
-    set.coupled.asked = 1;
+    set.coupled.asked = set.localise = 1;
     set.localise = 0;
     CHECK(s.count.points > SP_EXACT_POINTS);
     sp_arena a = test_arena;
@@ -235,7 +235,7 @@ TEST(what_refutes_one_island_is_no_proof_against_another)
     sp_scene s = room(2 * h.count.blocks + 4, 2 * h.count.joints + 2, 2 * h.count.points + 8);
     sp_settings set = sp_settings_default();
     sp_evidence e;
-    set.coupled.asked = 1;
+    set.coupled.asked = set.localise = 1;
     for (int k = 0; k < 2; k++) {
         add(&s, &c, 50 * k, plain);
         add(&s, &h, 50 * k + 20, plain);
@@ -310,7 +310,7 @@ static sp_status judged_with_less(const sp_scene *s, int32_t island, size_t less
     r.coupled.proof.node = node;
     r.coupled.proof.row = row;
     r.coupled.proof.y = y;
-    set.coupled.asked = 1;
+    set.coupled.asked = set.localise = 1;
     set.faces = 64;                                     /* what SP_FOR_VERIFY is told for */
     const sp_status status = sp_verify(s, &set, &r, behind(test_bytes(s, SP_FOR_VERIFY, NULL) - less), &e);
     CHECK(!(e.margin > 0));

@@ -35,6 +35,7 @@ TEST(tasks_in_any_order_give_the_same_bits)
         crew c = { 0, 0, 3 };
         const sp_parallel all = { run_mixed_up, &c };
         sp_settings set = sp_settings_default();
+        set.localise = 1;
         test_arena.used = 0;
         NEED(gen_make(sample[k].name, sample[k].number, sample[k].value, &test_arena, &s) == SP_OK);
         gen_gravity(sample[k].degrees, 30, s.gravity);

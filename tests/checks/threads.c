@@ -50,6 +50,7 @@ static void ask(answers *w, int k)
 #else
     sp_arena_init(a, w->memory, BYTES);
 #endif
+    set.localise = 1;
     set.budget = 20000000;              /* TSan makes each of them a hundred times as dear */
     for (int coupled = 0; coupled < 2; coupled++) {
         set.coupled.asked = coupled;

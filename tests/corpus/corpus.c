@@ -101,6 +101,7 @@ static sp_status judge(const sp_scene *scene, int32_t faces, sp_arena *arena, ui
     sp_settings set = sp_settings_default();
     sp_result r;
     set.faces = faces;
+    set.localise = 1;
     const sp_status status = sp_check(scene, &set, arena, &r);
     if (status) return status;
     const sp_real number[5] = { r.imbalance, r.least_imbalance, r.extremes.compression, r.extremes.tension, r.extremes.utilisation };

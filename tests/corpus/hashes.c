@@ -56,13 +56,15 @@ static void mix_result(hashes *h, const sp_scene *scene, const sp_result *r)
 
 static sp_status ask_check(sp_scene *scene, sp_arena *arena, hashes *h)
 {
+    sp_settings set = sp_settings_default();
     sp_result r;
     size_t bytes = 0;
     sp_arena scratch;
+    set.localise = 1;
     sp_arena_init(&scratch, heap[1], room);
-    sp_status status = sp_memory(scene, SP_FOR_CHECK, NULL, scratch, &bytes);
+    sp_status status = sp_memory(scene, SP_FOR_CHECK, &set, scratch, &bytes);
     h->bytes = mix(h->bytes, (uint64_t)bytes);
-    if (!status) status = sp_check(scene, NULL, arena, &r);
+    if (!status) status = sp_check(scene, &set, arena, &r);
     if (!status) mix_result(h, scene, &r);
     return status;
 }
@@ -71,7 +73,7 @@ static sp_status ask_coupled(sp_scene *scene, sp_arena *arena, hashes *h)
 {
     sp_settings set = sp_settings_default();
     sp_result r;
-    set.coupled.asked = 1;
+    set.coupled.asked = set.localise = 1;
     set.coupled.nodes = 300;
     const sp_status status = sp_check(scene, &set, arena, &r);
     if (!status) mix_result(h, scene, &r);

@@ -335,9 +335,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     sp_arena a = arena(0);
     sp_scene s;
     sp_result r;
-    const sp_settings set = sp_settings_default();
+    sp_settings set = sp_settings_default();
     if (size < 4 || size > 200) return 0;
     const unsigned mode = data[0] % 16, more = data[1];
+    set.localise = data[0] < 128;
     if (sp_scene_from_bytes(data + 2, size - 2, &a, &s)) return 0;
     const sp_verdict v = check(&s, &set, 1, &r);
     if (!r.f) return 0;

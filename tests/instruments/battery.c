@@ -222,6 +222,7 @@ static void file(const char *path)
     sp_arena_init(&arena, room, sizeof room);
     snprintf(name, sizeof name, "%s", last ? last + 1 : path);
     int status = scene_read(path, &as_it_is, &s, &error);
+    set.localise = 1;
     if (tol > 0) set.tol = (sp_real)tol;
     started = clock();
     if (far) { printf("%s|%.3g\n", name, status ? 1 : distance(&s.scene, &set, arena)); scene_free(&s); return; }

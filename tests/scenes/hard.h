@@ -301,6 +301,7 @@ static const hard_case hard_cases[] = {
 static sp_settings hard_settings(unsigned flags)
 {
     sp_settings set = sp_settings_default();
+    set.localise = 1;
 #ifdef SP_REAL_FLOAT
     set.tol = flags & HARD_FINE_FLOAT ? (sp_real)3e-6 : (sp_real)1e-5;
 #endif

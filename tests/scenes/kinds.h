@@ -154,6 +154,7 @@ static sp_status kinds_make(int k, sp_arena *arena, sp_scene *s, sp_settings *se
     gen_scene g;
     sp_status status;
     *set = sp_settings_default();
+    set->localise = 1;
     set->faces = cone[k / KINDS % 8];
     set->inscribed = k / KINDS % 2;
     if (e->build) return e->build(&r, kinds_between(&r, 0.1, 0.9), arena, s);
