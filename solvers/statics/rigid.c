@@ -105,8 +105,8 @@ SP__NOINLINE static void sp__vertex_apply(const sp__system *w, int32_t c, int32_
     for (int k = 0; k < 3; k++) { s->sum[k] += g[k]; s->sum[k + 3] += m[k]; }
 }
 
-/* out = Aeq S DP_K(Aeq' y) Aeq' x, weighted. */
-SP__NOINLINE static void sp__system_apply(sp__system *w, const sp_real *y, const sp_real *x, sp_real *out)
+/* out = Aeq S DP_K(Aeq' y) Aeq' x, weighted.   up: rigid groups that x moves, inside which nothing gives; NULL: any x */
+SP__NOINLINE static void sp__system_apply(sp__system *w, int32_t *up, const sp_real *y, const sp_real *x, sp_real *out)
 {
     const sp_problem *pb = w->pb;
     memset(out, 0, 6 * (size_t)pb->blocks * sizeof *out);
@@ -114,6 +114,7 @@ SP__NOINLINE static void sp__system_apply(sp__system *w, const sp_real *y, const
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         sp__visit *s = sp__visit_of(w);
+        if (up && sp__root(up, t->a + 1) == sp__root(up, t->b + 1)) continue;
         for (int k = 0; k < 6; k++) s->sum[k] = 0;
         sp__system_twist(w, t, y, s->twist[0], s->twist[0] + 3);
         sp__system_twist(w, t, x, s->twist[1], s->twist[1] + 3);
@@ -130,14 +131,14 @@ SP__NOINLINE static int sp__rigid_sharpen(sp__system *w, int32_t *up, sp_state *
     sp_real *x = w->d, *r = w->r, *p = state->dq, *q = w->L.t;
     sp__rigid_prolong(w, up, x);
     if (!(sp__system_norm(w, x) > 0)) return 0;
-    sp__system_apply(w, w->y, x, r);
+    sp__system_apply(w, up, w->y, x, r);
     sp__rigid_restrict(w, up, r);
     for (size_t k = 0; k < n; k++) p[k] = r[k] = -r[k];
     sp_real rr = sp__dot(r, r, n);
     const sp_real noise = (sp_real)SP_EPSILON * sp__system_norm(w, x);
     for (int it = 0; it < 40 && rr > noise * noise; it++) {
         sp__rigid_prolong(w, up, p);
-        sp__system_apply(w, w->y, p, q);
+        sp__system_apply(w, up, w->y, p, q);
         sp__rigid_restrict(w, up, q);
         const sp_real pq = sp__dot(p, q, n);
         if (!(pq > 0)) break;

@@ -109,7 +109,7 @@ TEST(Hessian_is_that_of_the_gradient)
         step(&b, -h);
         sp__system_gradient(b.w, SP__ADMISSIBLE, b.at, b.r, NULL);
         for (size_t q = 0; q < b.n; q++) b.r[q] = (b.q[q] - b.r[q]) / (2 * h);
-        sp__system_apply(b.w, b.y, b.d, b.q);
+        sp__system_apply(b.w, NULL, b.y, b.d, b.q);
         double off = 0, size = 0;
         for (size_t q = 0; q < b.n; q++) {
             off += pow((double)(b.r[q] - b.q[q]), 2);
@@ -130,7 +130,7 @@ TEST(factor_inverts_Hessian_plus_shift)
         NEED(begin(&b, k));
         sp__system_factor(b.w, SP__ADMISSIBLE, b.y, shift);
         sp__system_solve(b.w, b.d, b.at);
-        sp__system_apply(b.w, b.y, b.at, b.q);
+        sp__system_apply(b.w, NULL, b.y, b.at, b.q);
         double off = 0, size = 0;
         for (size_t q = 0; q < b.n; q++) {
             off += pow((double)(b.q[q] + shift * b.at[q] - b.d[q]), 2);

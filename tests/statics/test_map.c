@@ -337,7 +337,7 @@ TEST(product_with_the_Hessian_in_3_rows_is_that_in_6)
         const sp_arena mark = test_arena;
         both b;
         NEED(begin(&b, k, SP__EXACT));
-        for (int i = 0; i < 2; i++) sp__system_apply(b.w[i], b.y[i], b.d[i], b.r[i]);
+        for (int i = 0; i < 2; i++) sp__system_apply(b.w[i], NULL, b.y[i], b.d[i], b.r[i]);
         same_rows(&b, b.r, TOL(1e-11, 2e-4));
         test_arena.used = mark.used;
     }

@@ -106,6 +106,25 @@ TEST(restriction_is_the_transpose_of_prolongation)
     }
 }
 
+/* Inside a rigid group no contact gives, so none need be asked. */
+TEST(tied_motions_are_resisted_between_their_groups_alone)
+{
+    for (int k = 0; k < 20; k++) {
+        const sp_arena mark = test_arena;
+        tied t;
+        double off = 0, size = 0;
+        NEED(begin(&t, k % 2 ? "dome" : "wall", k % 2 ? "rings" : "jitter", k % 2 ? 2 : 0.3));
+        any_groups(&t);
+        sp__rigid_prolong(t.w, t.up, t.x);
+        sp__system_apply(t.w, NULL, t.y, t.x, t.a);
+        sp__system_apply(t.w, t.up, t.y, t.x, t.b);
+        for (size_t q = 0; q < t.n; q++) { off += pow((double)(t.a[q] - t.b[q]), 2); size += pow((double)t.a[q], 2); }
+        CHECK(size > 1e-6);
+        CHECK_WITHIN(sqrt(off), 0, TOL(1e-12, 1e-4) * sqrt(size));
+        test_arena.used = mark.used;
+    }
+}
+
 /* Resistance x'Hx of the tied motion goes, and its gradient along tied motions with it. */
 TEST(a_sharpened_motion_is_tied_and_resisted_least)
 {
@@ -120,7 +139,7 @@ TEST(a_sharpened_motion_is_tied_and_resisted_least)
         memcpy(t.w->d, t.x, t.n * sizeof *t.x);
         memcpy(t.a, t.x, t.n * sizeof *t.a);
         sp__rigid_prolong(t.w, t.up, t.a);
-        sp__system_apply(t.w, t.y, t.a, t.b);
+        sp__system_apply(t.w, NULL, t.y, t.a, t.b);
         const double before = (double)sp__dot(t.a, t.b, t.n);
         sp__rigid_restrict(t.w, t.up, t.b);             /* its gradient along tied motions */
         const double slope = sqrt((double)sp__dot(t.b, t.b, t.n));
@@ -132,7 +151,7 @@ TEST(a_sharpened_motion_is_tied_and_resisted_least)
         double off = 0, size = 0;
         for (size_t q = 0; q < t.n; q++) { off += pow((double)(t.a[q] - t.x[q]), 2); size += pow((double)t.x[q], 2); }
         CHECK_WITHIN(sqrt(off), 0, TOL(1e-11, 1e-4) * sqrt(size));
-        sp__system_apply(t.w, t.y, t.x, t.b);
+        sp__system_apply(t.w, NULL, t.y, t.x, t.b);
         const double after = (double)sp__dot(t.x, t.b, t.n);
         CHECK(before > 1e-3 && after <= 0.05 * before);
         sp__rigid_restrict(t.w, t.up, t.b);
@@ -180,6 +199,7 @@ TEST(joints_are_opened_along_their_normals)
 TEST_LIST(rigid)
     RUN_FULL(a_tied_motion_is_that_of_the_roots)
     RUN_FULL(restriction_is_the_transpose_of_prolongation)
+    RUN_FULL(tied_motions_are_resisted_between_their_groups_alone)
     RUN_FULL(a_sharpened_motion_is_tied_and_resisted_least)
     RUN_FULL(joints_are_opened_along_their_normals)
 TEST_END
