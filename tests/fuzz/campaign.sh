@@ -21,16 +21,17 @@ sum() {                                                 # sum TARGET HOW: what w
         END { s = ""; a = thousands(n); s = ""; b = thousands(w)
               printf "%s of %s executions, %d pieces, commits %s to %s, %d findings\n", a, b, p, first, last, f }' $csv
 }
-whole() { awk -F, -v t="$1" -v h="$2" -v w="$(wanted "$1" "$2")" '$1 == t && $2 == h { n += $5 } END { exit !(n >= w) }' $csv; }
+left() { awk -F, -v t="$1" -v h="$2" -v w="$(wanted "$1" "$2")" '$1 == t && $2 == h { w -= $5 } END { print w > 0 ? w : 0 }' $csv; }
 
 piece() {                                               # piece HOW TARGET
-    if whole "$2" "$1"; then sum "$2" "$1"; return; fi
+    pi_left=$(left "$2" "$1")
+    if [ "$pi_left" -eq 0 ]; then sum "$2" "$1"; return; fi
     guided "$2" "$1"
     seeds "$2"
     unpack "$2"
     mkdir -p "$out/corpus/$2"
     pi_log=$out/campaign-$1-$2.log pi_from=$(date +%s) pi_status=0
-    "$out/$1-$2" -max_total_time="${CAMPAIGN_SECONDS:-300}" -timeout=120 -rss_limit_mb=3000 -max_len=4000 -print_final_stats=1 \
+    "$out/$1-$2" -max_total_time="${CAMPAIGN_SECONDS:-300}" -runs="$pi_left" -timeout=120 -rss_limit_mb=3000 -max_len=4000 -print_final_stats=1 \
         -artifact_prefix="$out/campaign-$2-" "$out/corpus/$2" "$out/seeds/$2" "$out/kept/$2" > "$pi_log" 2>&1 || pi_status=$?
     pi_runs=$(awk '/stat::number_of_executed_units/ { n = $2 } /^#[0-9]+/ { m = substr($1, 2) } END { print n ? n : m + 0 }' "$pi_log")
     echo "$2,$1,$(date +%Y-%m-%d),$(git rev-parse --short HEAD),$pi_runs,$(($(date +%s) - pi_from)),$((pi_status != 0))" >> $csv
