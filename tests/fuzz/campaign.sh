@@ -21,7 +21,7 @@ sum() {                                                 # sum TARGET HOW: what w
         END { s = ""; a = thousands(n); s = ""; b = thousands(w)
               printf "%s of %s executions, %d pieces, commits %s to %s, %d findings\n", a, b, p, first, last, f }' $csv
 }
-left() { awk -F, -v t="$1" -v h="$2" -v w="$(wanted "$1" "$2")" '$1 == t && $2 == h { w -= $5 } END { print w > 0 ? w : 0 }' $csv; }
+left() { awk -F, -v t="$1" -v h="$2" -v w="$(wanted "$1" "$2")" '$1 == t && $2 == h { w -= $5 } END { print (w > 0 ? w : 0) }' $csv; }
 
 piece() {                                               # piece HOW TARGET
     pi_left=$(left "$2" "$1")
