@@ -16,7 +16,7 @@ static int sp__joint_goes(const sp_joint *t, const sp_real *dq, sp_real largest)
 }
 
 /* How fast joint t opens or slides in the motion: largest |dd| of its corners. */
-static sp_real sp__joint_speed(const sp_scene *scene, const sp_joint *t, const sp_real *dq)
+SP__NOINLINE static sp_real sp__joint_speed(const sp_scene *scene, const sp_joint *t, const sp_real *dq)
 {
     sp_real most = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {

@@ -97,6 +97,7 @@ static int other_face(const sp__cone *k, const sp__yield *y, const sp_real a[3],
     sp__foot p, q;
     sp__cone_foot(k, y, y->plain, a, &p);
     sp__cone_foot(k, y, y->plain, b, &q);
+    if (p.region == SP__INSIDE || p.region == SP__APEX) return 0;       /* of no face */
     return (double)(p.w[0] * q.w[0] + p.w[1] * q.w[1]) < 0.999 || p.side * q.side < 0;
 }
 
