@@ -26,34 +26,11 @@ double motion_speed(const sp_scene *s, const sp_result *x, int32_t b)
     return (go > turn ? go : turn) / unit;
 }
 
-/* Velocity of block b at a point. */
-static void velocity(const sp_scene *s, const sp_real *dq, int32_t b, const sp_real *at, double v[3])
+const char *motion_of_joint(const sp_scene *s, const sp_result *x, int32_t joint)
 {
-    const sp_real *m = dq + 6 * (size_t)b;
-    double r[3];
-    for (int k = 0; k < 3; k++) r[k] = (double)(at[k] - s->block[b].centroid[k]);
-    for (int k = 0; k < 3; k++)
-        v[k] = (double)m[k] + (double)m[3 + (k + 1) % 3] * r[(k + 2) % 3] - (double)m[3 + (k + 2) % 3] * r[(k + 1) % 3];
-}
-
-const char *motion_of_joint(const sp_scene *s, const sp_result *x, const sp_joint *t)
-{
-    double fastest = 0;
-    const char *does = NULL;
-    for (int32_t p = t->point; p < t->point + t->points; p++) {
-        double a[3], b[3], size = 0, up = 0, all = 0;
-        velocity(s, x->dq, t->a, s->point[p], a);
-        velocity(s, x->dq, t->b, s->point[p], b);
-        for (int k = 0; k < 3; k++) {
-            all += a[k] * a[k] + b[k] * b[k];
-            size += (b[k] - a[k]) * (b[k] - a[k]);
-            up += (b[k] - a[k]) * (double)t->n[k];
-        }
-        if (!(size > fastest && size > MOTION_STILL * MOTION_STILL * all)) continue;
-        fastest = size;
-        does = 2 * up * up > size ? "opens" : "slides";
-    }
-    return does;
+    sp_joint_motion m;
+    if (x->verdict != SP_UNSTABLE || sp_joint_moves(s, x->dq, joint, &m) != SP_OK || m.kind == SP_JOINT_RIGID) return NULL;
+    return m.kind == SP_JOINT_SLIDING ? "slides" : "opens";
 }
 
 int32_t motion_fastest(const sp_scene *s, const sp_result *x, int32_t most, int32_t *block)

@@ -17,8 +17,8 @@ const sp_real *motion_shown(const sp_result *result);
 double motion_speed(const sp_scene *scene, const sp_result *result, int32_t b);
 #define MOTION_STILL 1e-6       /* what moves less than this counts as at rest: rounding of what goes with a support */
 
-/* What the joint's fastest corner does in the mechanism: "opens", "slides"; NULL: both blocks go together, or neither goes. */
-const char *motion_of_joint(const sp_scene *scene, const sp_result *result, const sp_joint *joint);
+/* What a joint does in the mechanism of what falls: "opens", "slides"; NULL: both blocks go together, or neither goes. */
+const char *motion_of_joint(const sp_scene *scene, const sp_result *result, int32_t joint);
 
 /* The blocks that move, the fastest first, of equal ones the first.
  *   out   block       the first `most` of them

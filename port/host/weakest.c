@@ -7,7 +7,7 @@ int32_t weakest_told(const sp_scene *s, const sp_result *x)
 {
     const int32_t i = x->extremes.weakest;
     sp_joint_force f;
-    if (i >= 0 && x->verdict == SP_UNSTABLE && motion_of_joint(s, x, &s->joint[i])) return i;
+    if (i >= 0 && motion_of_joint(s, x, i)) return i;
     if (i < 0 || sp_joint_resultant(s, x, i, &f) != SP_OK) return -1;
     return x->demand[i].friction > 0 || x->demand[i].tension > 0 || (double)f.utilisation >= NEAR_LIMIT ? i : -1;
 }

@@ -53,6 +53,17 @@ static void start(sp_scene *s, int32_t blocks, int32_t joints)
     CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
 }
 
+/* Three boxes, the lowest held, with room for two joints. */
+static sp_scene three(const double low[2][3], const double middle[2][3], const double top[2][3])
+{
+    sp_scene s;
+    start(&s, 3, 2);
+    box(&s, low[0], low[1], SP_FIXED);
+    box(&s, middle[0], middle[1], 0);
+    box(&s, top[0], top[1], 0);
+    return s;
+}
+
 static double norm(const sp_real v[3])
 {
     return sqrt((double)v[0] * (double)v[0] + (double)v[1] * (double)v[1] + (double)v[2] * (double)v[2]);
@@ -431,11 +442,7 @@ TEST(tension_counts_before_utilisation)
 {
     const double low[2][3] = { { 0, 0, -1 }, { 1, 1, 0 } }, middle[2][3] = { { 0, 0, 0 }, { 1, 1, 0.2 } };
     const double top[2][3] = { { 0.7, 0, 0.2 }, { 1.7, 1, 0.3 } };
-    sp_scene s;
-    start(&s, 3, 2);
-    box(&s, low[0], low[1], SP_FIXED);
-    box(&s, middle[0], middle[1], 0);
-    box(&s, top[0], top[1], 0);
+    sp_scene s = three(low, middle, top);
     level(&s, 0, 1, 0, 1, 0, 1, 0, 0.05);
     level(&s, 1, 2, 0.7, 1, 0, 1, 0.2, 0.84);
     gen_gravity(2, 90, s.gravity);
@@ -514,11 +521,7 @@ TEST(a_joint_that_rides_along_is_not_the_weakest)
 {
     const double low[2][3] = { { 0, 0, -1 }, { 4, 1, 0 } }, middle[2][3] = { { 1, 0, 0 }, { 2, 1, 0.1 } };
     const double top[2][3] = { { 1, 0, 0.1 }, { 2, 1, 0.2 } };
-    sp_scene s;
-    start(&s, 3, 2);
-    box(&s, low[0], low[1], SP_FIXED);
-    box(&s, middle[0], middle[1], 0);
-    box(&s, top[0], top[1], 0);
+    sp_scene s = three(low, middle, top);
     level(&s, 1, 2, 1, 2, 0, 1, 0.1, 0.5);
     level(&s, 0, 1, 1, 2, 0, 1, 0, 0.3);
     gen_gravity(20, 0, s.gravity);

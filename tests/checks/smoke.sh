@@ -619,11 +619,10 @@ part "standard input"               sh -c "'$cli' check - < '$tmp/scene.obj'"
 part "write, read: same result"     round_trip
 part "refuted: the proof, read again"  refuted
 part "verify: the question is its own"  another
-cp tests/scenes/overhang-falling.obj "$tmp/reaches.obj"
-part "help: words don't ask, and say how" sh -c "'$cli' check '$tmp/reaches.obj' | grep -q '^  help           --localise' && '$cli' check '$tmp/reaches.obj' | grep -q '^  weakest joint  b7 - b8: opens$'"
-part "help: --localise asks"           sh -c "'$cli' check --localise '$tmp/reaches.obj' | grep -q '^  weakest joint  b0 - b1: asks for 100 N of tension' && ! '$cli' check --localise '$tmp/reaches.obj' | grep -q '^  help'"
-part "help: JSON asks by itself"       says '"tension": 100[.]4' "$cli" check --json "$tmp/reaches.obj"
-part "help: so do pictures"            sh -c "'$cli' check --svg '$tmp/help.svg' '$tmp/reaches.obj' > /dev/null; grep -q 'lacks 100 N of tension' '$tmp/help.svg'"
+part "help: words don't ask, and say how" sh -c "'$cli' check tests/scenes/overhang-falling.obj | grep -q '^  help           --localise' && '$cli' check tests/scenes/overhang-falling.obj | grep -q '^  weakest joint  b7 - b8: opens$'"
+part "help: --localise asks"           sh -c "'$cli' check --localise tests/scenes/overhang-falling.obj | grep -q '^  weakest joint  b0 - b1: asks for 100 N of tension' && ! '$cli' check --localise tests/scenes/overhang-falling.obj | grep -q '^  help'"
+part "help: JSON asks by itself"       says '"tension": 100[.]4' "$cli" check --json tests/scenes/overhang-falling.obj
+part "help: so do pictures"            sh -c "'$cli' check --svg '$tmp/help.svg' tests/scenes/overhang-falling.obj > /dev/null; grep -q 'lacks 100 N of tension' '$tmp/help.svg'"
 part "help: a stone in the air has none to ask" sh -c "grep -v '^#@ fixed' tests/scenes/two-cubes.obj | '$cli' check - > '$tmp/free'; grep -q UNSTABLE '$tmp/free' && ! grep -q '^  help' '$tmp/free' && grep -q '^  weakest joint  none' '$tmp/free'"
 part "what slides is told so"          sh -c "'$cli' gen incline angle=45 | '$cli' check - | grep -q '^  weakest joint  b0 - b1: slides$'"
 part "a plain wall: none near its limit" sh -c "'$cli' gen wall rows=4 bricks=6 | '$cli' check - | grep -q '^  weakest joint  none is near its limit'"

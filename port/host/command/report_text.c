@@ -131,6 +131,7 @@ static void text_weakest(FILE *out, const report *r)
         return;
     }
     const sp_joint *t = &s->joint[x->extremes.weakest];
+    const char *does = motion_of_joint(s, x, x->extremes.weakest);
     fprintf(out, "%s - %s", r->scene->name[t->a], r->scene->name[t->b]);
     if (help->friction > help->tension) {
         fputs(": lacks ", out);
@@ -140,7 +141,7 @@ static void text_weakest(FILE *out, const report *r)
         fputs(": asks for ", out);
         put_scaled(out, (double)help->tension, "N");
         fputs(" of tension\n", out);
-    } else if (x->verdict == SP_UNSTABLE && motion_of_joint(s, x, t)) fprintf(out, ": %s\n", motion_of_joint(s, x, t));
+    } else if (does) fprintf(out, ": %s\n", does);
     else fprintf(out, ": friction used to %.0f %%, to %.0f %% at a corner\n", 100 * (double)f.utilisation,
                    100 * (double)f.corner_utilisation);
 }
@@ -161,7 +162,7 @@ static void text_help(FILE *out, const report *r)
 {
     const sp_reason why = r->result.reason;
     if (r->result.verdict == SP_STABLE || r->options->settings.localise || why == SP_REASON_NO_SUPPORT
-        || why == SP_REASON_NO_CONTACT) return;
+        || why == SP_REASON_NO_CONTACT || why == SP_REASON_STAGES) return;
     report_row(out, "help");
     fputs("--localise tells which joints lack tension or friction\n", out);
 }

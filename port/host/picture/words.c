@@ -138,6 +138,7 @@ static void legend_weakest(const words *w, double x, double y)
 {
     const int32_t i = w->weakest;
     const sp_demand *help = &w->of->result->demand[i];
+    const char *does = motion_of_joint(w->d->s, w->of->result, i);
     sp_joint_force f;
     fprintf(w->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" "
             "stroke-width=\"2\"%s/>\n", x, y - 11, INK_WEAK, INK_WEAK, w->behind ? " stroke-dasharray=\"5 3\"" : "");
@@ -150,8 +151,7 @@ static void legend_weakest(const words *w, double x, double y)
         fputs(", lacks ", w->out);
         page_quantity(w->out, fmax((double)help->tension, (double)help->friction), "N");
         fputs(help->friction > help->tension ? " of friction" : " of tension", w->out);
-    } else if (w->of->result->verdict == SP_UNSTABLE && motion_of_joint(w->d->s, w->of->result, &w->d->s->joint[i]))
-        fprintf(w->out, ", %s", motion_of_joint(w->d->s, w->of->result, &w->d->s->joint[i]));
+    } else if (does) fprintf(w->out, ", %s", does);
     else if (sp_joint_resultant(w->d->s, w->of->result, i, &f) == SP_OK)
         fprintf(w->out, ", friction used to %.0f %%", 100 * (double)f.utilisation);
     if (w->behind) fputs("; behind other blocks", w->out);
