@@ -309,7 +309,7 @@ pair_standards() {                                      # a standard changes wha
     done
     $CC -std=c99 -pedantic-errors -Wall -Wextra -Wshadow -Werror -O2 -c build/pair/stonepack.c -o $out/pair.o
 }
-pair_tests() { tests_of "$core" build/pair/stonepack.c -O1 "$CC"; }
+pair_tests() { tests_of "$wide" build/pair/stonepack.c -O1 "$CC"; }
 # The library inside a file of the caller's: no name of it may stand in the way. Every suite compiles so (fence and convex hold
 # parts of it under other names), one wing runs so.
 pair_private() {
