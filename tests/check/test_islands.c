@@ -53,6 +53,7 @@ TEST(each_island_keeps_its_own_verdict_and_the_worst_is_that_of_all)
             if (want[k].verdict[q] != SP_UNDECIDED) CHECK_INT(r.islands.each[q].verdict, want[k].verdict[q]);
         if (want[k].verdict[0] != SP_UNDECIDED) CHECK_INT(r.verdict, want[k].verdict[2]);
         CHECK(r.islands.each[0].verdict != SP_UNSTABLE || r.verdict == SP_UNSTABLE);
+        for (int32_t i = 0; r.verdict == SP_STABLE && i < 6 * s.count.blocks; i++) CHECK_WITHIN(r.dq[i], 0, 0);
         CHECK_INT(full(&s, NULL, &rest).verdict, r.verdict);
     }
 }

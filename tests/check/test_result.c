@@ -626,6 +626,19 @@ TEST(weight_drives_the_mechanism)
     CHECK(work > 0);
 }
 
+/* The search leaves its own motions where the answer will be. */
+TEST(what_stands_has_no_mechanism)
+{
+    static const char *const names[] = { "arch", "dome", "wall" };
+    for (int k = 0; k < 3; k++) {
+        sp_scene s;
+        test_arena.used = 0;
+        build(names[k], NULL, 0, &s);
+        const sp_result r = check(&s, NULL, SP_STABLE);
+        for (int32_t i = 0; i < 6 * s.count.blocks; i++) CHECK_WITHIN(r.dq[i], 0, 0);
+    }
+}
+
 TEST(only_cones_that_reach_around_friction_make_it_final)
 {
     for (int k = 0; k < 3; k++) {
@@ -777,6 +790,7 @@ TEST_LIST(result)
     RUN(a_toppling_cube_turns_about_the_edge)
     RUN(mechanisms_have_one_size)
     RUN(weight_drives_the_mechanism)
+    RUN(what_stands_has_no_mechanism)
     RUN(only_cones_that_reach_around_friction_make_it_final)
     RUN(two_runs_give_the_same_bits)
     RUN(costs_add_up_and_are_not_nothing)

@@ -100,6 +100,23 @@ TEST(settings_at_the_ends_of_their_ranges_are_taken)
     }
 }
 
+/* A joint may miss its balance by an eighth of its friction at most, but no check is finer than four roundings. */
+TEST(little_friction_is_checked_more_finely)
+{
+    static const double factor[] = { 0.5, 1, 4, 8, 1e3 };
+    const sp_real tol = sp_settings_default().tol;
+    for (int k = 0; k < 7; k++) {
+        sp_scene s;
+        test_arena.used = 0;
+        build("two-cubes", NULL, 0, &s);
+        const sp_real mu = k < 5 ? R(factor[k]) * SP_EPSILON : k == 5 ? R(4) * tol : 8 * tol;
+        s.joint[0].strength.mu = mu;
+        const sp_result r = check(&s, NULL);
+        const sp_real want = mu / 8 > 4 * SP_EPSILON ? mu / 8 : 4 * SP_EPSILON;
+        CHECK_WITHIN(r.tol, want < tol ? want : tol, 0);
+    }
+}
+
 TEST(arguments_that_are_missing_are_refused)
 {
     sp_scene s, none;
@@ -132,5 +149,6 @@ TEST_LIST(settings)
     RUN(settings_out_of_range_are_refused_and_nothing_is_touched)
     RUN(stages_that_do_not_exist_are_refused)
     RUN(settings_at_the_ends_of_their_ranges_are_taken)
+    RUN(little_friction_is_checked_more_finely)
     RUN(arguments_that_are_missing_are_refused)
 TEST_END

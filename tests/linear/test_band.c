@@ -47,6 +47,21 @@ TEST(a_band_is_solved_with_rows_exchanged)
     }
 }
 
+/* Of entries of one size the first is the pivot: the rows stay. */
+TEST(a_tie_exchanges_no_rows)
+{
+    const sp_arena mark = test_arena;
+    sp__band b;
+    sp__band_carve(&b, 4, 1, &test_arena);
+    sp__band_zero(&b);
+    for (int32_t i = 0; i < 4; i++) for (int32_t j = 0; j < 4; j++)
+        if (i - j <= 1 && j - i <= 1) sp__band_row(&b, i)[j] = i > j ? R(-1) : i < j ? R(0.5) : R(1);
+    NEED(sp__band_factor(&b));
+    CHECK_INT(b.pivot[0], 0);
+    for (int32_t k = 1; k < 4; k++) CHECK_INT(b.pivot[k], k);
+    test_arena = mark;
+}
+
 /* A column of nothing, on the diagonal and below, or of what is no number. */
 TEST(a_band_without_a_pivot_is_told)
 {
@@ -67,6 +82,7 @@ TEST(a_band_without_a_pivot_is_told)
 TEST_LIST(band)
 #if SP__WITH_SLIDING
     RUN(a_band_is_solved_with_rows_exchanged)
+    RUN(a_tie_exchanges_no_rows)
     RUN(a_band_without_a_pivot_is_told)
 #endif
 TEST_END

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """mutate: does a test notice when one place of the library is wrong?
 
-    python3 -B tests/mutation/mutate.py [--of proof|verify|limit|core|PATH...] [--sample N] [--seed N] [--jobs N] [--guided] [--hashes]
+    python3 -B tests/mutation/mutate.py [--of proof|verify|limit|core|PATH...] [--sample N] [--seed N] [--jobs N] [--guided] [--longest MS]
+                                        [--hashes]
                                         [--line FILE:N] [--list] [--table FILE] [--least PERCENT] [--kept FILE [--minutes M]]
 
 Each mutant is the library with one place changed: a relation, an arithmetic sign, a number, a condition negated, a statement left out.
@@ -13,6 +14,8 @@ no test noticed. What changes nothing that anyone could see is listed in equival
 
     --guided    a suite is asked only where it reaches the changed line, by gcov; it takes minutes to find out which do, and is for
                 large samples of the core
+    --longest   of the core, tests of no more than so many milliseconds are asked (50): more of them for the survivors of a first run,
+                with --again
     --hashes    a second score: survivors that the stored hashes of tests/corpus notice
     --kept      what was killed, a line each, is read from it and written to it: a run goes in pieces that add up; survivors are
                 written, too, and asked again by --again alone (killed stays killed while tests are only added)
@@ -145,8 +148,9 @@ class Kept:
 
 class Suites:
     """Suites, compiled once, and two runners over them: quick tests, then the others that take no more than SLOW."""
-    def __init__(self, names, work, compiler, quick):
-        self.work, self.compiler, self.quick, self.parts, self.objects = work, compiler, quick, {}, {}
+    def __init__(self, names, work, compiler, longest):
+        """longest: of the tests asked, one kind alone [ms]; 0: both."""
+        self.work, self.compiler, self.longest, self.parts, self.objects = work, compiler, longest, {}, {}
         self.reach, self.took = None, {}
         os.makedirs(work, exist_ok=True)
         where = {re.sub(r'.*/test_(\w+)\.c', r'\1', p): p for p in glob('tests/*/test_*.c')}
@@ -185,11 +189,12 @@ class Suites:
         told = run([program, '-m']).stdout
         assert told.rstrip().endswith(' 0 failed'), 'the unchanged library fails: ' + told
         took = [(l.split()[0], int(l.split()[2])) for l in told.split('\n') if len(l.split()) == 3]
-        first = {n: sum(ms for t, ms in took if t.startswith(n + '/') and ms <= QUICK) for n in self.names}
+        most = self.longest or QUICK
+        first = {n: sum(ms for t, ms in took if t.startswith(n + '/') and ms <= most) for n in self.names}
         self.names.sort(key=lambda n: (n not in FIRST, first[n]))
-        quick = [t for t, ms in took if ms <= QUICK]
+        quick = [t for t, ms in took if ms <= most]
         self.took = {n: first[n] / 1000 for n in self.names if any(t.startswith(n + '/') for t in quick)}
-        slow = [t for t, ms in took if QUICK < ms <= SLOW and not self.quick]
+        slow = [t for t, ms in took if most < ms <= SLOW and not self.longest]
         parts = [(name, which) for name, which in (('quick', quick), ('slow', slow)) if which]
         self.runners = [self.runner(name, [t for t, ms in took if t not in which]) for name, which in parts]
         self.seconds = [sum(ms for t, ms in took if t in which) / 1000 for _, which in parts]
@@ -373,6 +378,7 @@ def main():
     say.add_argument('--suites', nargs='+')
     say.add_argument('--hashes', action='store_true')
     say.add_argument('--guided', action='store_true')
+    say.add_argument('--longest', type=int, default=QUICK)
     say.add_argument('--list', action='store_true')
     say.add_argument('--quiet', action='store_true')
     say.add_argument('--kept')
@@ -402,7 +408,7 @@ def main():
     compiler = ['tcc'] if shutil.which('tcc') else [os.environ.get('CC', 'gcc'), *FLAGS[1:], '-O0']
     core = [re.sub(r'.*/test_(\w+)\.c', r'\1', p) for p in glob('tests/*/test_*.c') if p.split('/')[1] not in NOT_CORE]
     those = {'limit': LIMITS, 'verify': VERIFIES, 'core': core}.get(' '.join(args.of), JUDGES)
-    suites = Suites(args.suites or those, 'build/mutation/suites', compiler, those is core)
+    suites = Suites(args.suites or those, 'build/mutation/suites', compiler, args.longest if those is core else 0)
     rooms = [Room(k, suites) for k in range(args.jobs)]
     counts = suites.split(rooms[0].build(None)[0]())
     noticed = rooms[0].fenced(files)                    # what is fenced notices nothing by failing always

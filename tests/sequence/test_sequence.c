@@ -314,6 +314,8 @@ TEST(an_untouched_island_is_not_looked_at_and_keeps_its_forces)
     CHECK_TEXT(sp_reason_text(step.reason), "no support");
     CHECK(step.block == 6 || step.block == 8);
     CHECK(memcmp(kept, step.f, sizeof kept) == 0);
+    for (int32_t b = 0; b < s.count.blocks; b++)        /* an island at rest */
+        for (int k = 0; b != 6 && b != 8 && k < 6; k++) CHECK_WITHIN(step.dq[6 * b + k], 0, 0);
     step = take(q, 4, SP_ABSENT);                       /* nothing changes, nothing is done */
     CHECK_INT(step.checked, 0);
     CHECK_INT(step.cost.flops, 0);
@@ -338,6 +340,7 @@ TEST(an_arch_without_centring_falls_until_it_is_closed)
         for (int32_t k = 0; k < n; k++) {
             const sp_step step = take(q, order[k], SP_PRESENT);
             CHECK_INT(step.verdict, k + 1 < known[i].first || k + 1 == n ? SP_STABLE : SP_UNSTABLE);
+            for (int32_t j = 0; step.verdict == SP_STABLE && j < 6 * s.count.blocks; j++) CHECK_WITHIN(step.dq[j], 0, 0);
             if (step.verdict == SP_STABLE) continue;
             CHECK(step.block >= 0 && step.dq[6 * step.block + 2] < 0);
             NEED(sp_sequence_hold(q, 0, &held) == SP_OK);
