@@ -7,6 +7,7 @@
 #if SP__WITH_QP
 
 #include <math.h>
+#include <string.h>
 
 /* (down - its rounding) / rest, no larger than a number that stands for any; nothing where down is rounding, rest no number. */
 TEST(a_radius_is_what_is_proved_over_what_is_left)
@@ -23,6 +24,25 @@ TEST(a_radius_is_what_is_proved_over_what_is_left)
     CHECK_NEAR(sp__qp_proof_radius(1, 0, 4, -1), 0, 0);
     CHECK_NEAR(sp__qp_proof_radius(1, 0, 4, zero / zero), 0, 0);
     CHECK_NEAR(sp__qp_proof_radius(zero / zero, 0, 4, 1), 0, 0);
+}
+
+/* min q . x without rows falls along x; what is left of two terms of size 1 after they cancel may be their rounding. */
+TEST(a_fall_no_larger_than_the_rounding_of_its_terms_proves_nothing)
+{
+    static const int32_t none[3] = { 0, 0, 0 };
+    const sp_real little = 4 * (sp_real)SP_EPSILON, cancels[2] = { 1, -1 - little }, plain[2] = { 0, -little };
+    sp_real X[2] = { 1, 1 }, Px[2], D[2] = { 1, 1 };
+    sp__qp w;
+    memset(&w, 0, sizeof w);
+    w.qp.n = 2;
+    w.qp.Pp = w.qp.Ap = none;
+    w.X = X; w.Px = Px; w.D = D; w.c = 1;
+    w.qp.q = cancels;
+    CHECK_NEAR(sp__qp_proof_dual(&w), 0, 0);
+    w.qp.q = plain;
+    CHECK_NEAR(sp__qp_proof_dual(&w), (double)SP__NEVER, 0);
+    X[1] = -1;                                          /* uphill */
+    CHECK_NEAR(sp__qp_proof_dual(&w), 0, 0);
 }
 
 TEST(a_goal_is_a_multiple_of_how_far_the_iterate_is)
@@ -65,6 +85,7 @@ TEST(the_largest_of_numbers_is_no_number_where_one_is_none)
 TEST_LIST(certificate)
 #if SP__WITH_QP
     RUN(a_radius_is_what_is_proved_over_what_is_left)
+    RUN(a_fall_no_larger_than_the_rounding_of_its_terms_proves_nothing)
     RUN(a_goal_is_a_multiple_of_how_far_the_iterate_is)
     RUN(a_direction_has_1_for_its_largest_and_is_none_of_nothing)
     RUN(the_largest_of_numbers_is_no_number_where_one_is_none)
