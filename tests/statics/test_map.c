@@ -68,6 +68,7 @@ static int make_scene(int k, sp_scene *s)
     if (!CHECK_INT(gen_make(scene_of[k].name, scene_of[k].number, scene_of[k].value, &test_arena, &made), SP_OK)) return 0;
     if (!CHECK(made.count.blocks <= MOST && made.count.joints <= MOST)) return 0;
     if (scene_of[k].turned) any_turn(&c);
+    c.swap = scene_of[k].turned && scene_of[k].mode == SP__LEVEL_JOINTS;  /* n along the loads and against them */
     copy(&made, &c, s, place, name);
     if (scene_of[k].faces % 2 || !scene_of[k].faces) turn_tangents(s, scene_of[k].faces);
     for (int32_t j = 0; j < s->count.joints && scene_of[k].strong; j += 2) {
