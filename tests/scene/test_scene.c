@@ -183,13 +183,15 @@ TEST(a_full_scene_refuses_each_kind)
 {
     sp_real xyz[24];
     const sp_mesh mesh = box(xyz, 0, 0, 0, 1, 1, 1);
-    for (int k = 0; k < 5; k++) {
-        int32_t n[7] = { 1, 8, 6, 24, 0, 0, 0 }, id;
+    for (int q = 0; q < 10; q++) {                      /* the first block, the second */
+        const int k = q / 2, one = q % 2;
+        int32_t n[7] = { 1 + one, 8 + 8 * one, 6 + 6 * one, 24 + 24 * one, 0, 0, 0 }, id;
         sp_capacity cap;
         sp_scene scene;
         if (k < 4) n[k]--;
         memcpy(&cap, n, sizeof cap);
         CHECK_INT(sp_scene_create(&scene, &cap, &test_arena), SP_OK);
+        if (one) CHECK_INT(sp_scene_block(&scene, &mesh, R(1), 0, &id), SP_OK);
         if (k < 4) REFUSED(sp_scene_block(&scene, &mesh, R(1), 0, &id), SP_E_CAPACITY);
         else CHECK_INT(sp_scene_block(&scene, &mesh, R(1), 0, &id), SP_OK);
     }
