@@ -10,7 +10,7 @@
 
 /* How a scene is asked. */
 typedef enum ask { PLANNED, IN_SPACE, TOGETHER, FINE, IN_4, AROUND_8, IN_16, NO_HELP, LESS_BOUND, LEAST_SQUARES, DENSE, POLISH,
-                   BY_ADMM, NET, SEEDED, COUPLED, COUPLED_8, COUPLED_TREE, COUPLED_BOX, COUPLED_SOFT, ROUNDS } ask;
+                   BY_ADMM, NET, SEEDED, COUPLED, COUPLED_8, COUPLED_TREE, COUPLED_BOX, COUPLED_SOFT, COUPLED_WIDE, ROUNDS } ask;
 
 typedef struct count {
     tally_scene of;
@@ -28,7 +28,8 @@ static void alone(sp_settings *set, sp_stage_id stage)
 static sp_settings asked(ask how)
 {
     sp_settings set = how == SEEDED ? sp_settings_seed() : sp_settings_default();
-    if (how == IN_SPACE || how == TOGETHER) set.effect[SP_EFFECT_DEPTH] = set.effect[SP_EFFECT_FRICTION] = SP_WITH;
+    if (how == IN_SPACE || how == TOGETHER || how == COUPLED_WIDE)
+        set.effect[SP_EFFECT_DEPTH] = set.effect[SP_EFFECT_FRICTION] = SP_WITH;
     if (how == TOGETHER) set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
     if (how == FINE) set.tol = R(TOL(1e-12, 1e-5));
     if (how == IN_4 || how == AROUND_8 || how == IN_16 || how == COUPLED_8) set.faces = how == IN_4 ? 4 : how == IN_16 ? 16 : 8;
@@ -445,6 +446,57 @@ TEST(coupled_trees_and_rings_take_the_work_written_here)
     COMPARE(rows);
 }
 
+TEST(coupled_searches_in_space_and_rounds_take_the_work_written_here)
+{
+    static const count rows[] = {
+        { { "arch", "n", 4, 0.84, { 0, 0, 0 }, 0 }, COUPLED_WIDE, 0, { 11, 14, 9, 0, 241996,
+          9929808, { 9.5867264e-17, 0, 2112.7124, 0.00059372496, 0 } } },
+        { { "flat-arch", "n", 3, 0.84, { 0, 0, 0 }, 0 }, COUPLED_WIDE, 0, { 11, 12, 7, 0, 162630,
+          9890896, { 1.4445766e-16, 0, 8485.6973, 0.00033139885, 0 } } },
+        { { "diamond", "rows", 3, 0.84, { 0, 0, 0 }, 0 }, COUPLED_WIDE, 0, { 11, 11, 6, 0, 622287,
+          42448, { 6.6899068e-17, 0, 21365.274, 0.00050072802, 0 } } },
+        { { "keystone", "angle", 20, 0.84, { 0, 0, 0 }, 0 }, COUPLED_WIDE, 0, { 22, 1130, 1105, 0, 89914492,
+          2543264, { 2.9642968e-16, 0, 6073.5918, 0.00030487802, 4300.909 } } },
+        { { "keystone", "angle", 15, 0.5, { 0, 0, 0 }, 0 }, COUPLED_WIDE, 0, { 22, 1002, 977, 0, 76938192,
+          2543264, { 2.4789255e-16, 0, 10376.6, 0.0003048427, 5683.4979 } } },
+        { { "dome", "segments", 3, 0.84, { 0, 0, 0 }, 0 }, COUPLED, 0, { 11, 52, 43, 0, 9745872,
+          133104, { 6.8121971e-15, 0, 3396.6884, 0.0061587543, 0 } } },
+        { { "vault", "around", 3, 0.84, { 0, 0, 0 }, 0 }, COUPLED, 0, { 11, 33, 26, 0, 4788420,
+          105584, { 3.8753965e-13, 0, 4464.1862, 0.00085714774, 0 } } },
+        { { "rubble", "rows", 1, 0.84, { 0, 0, 0 }, 0 }, COUPLED_WIDE, 0, { 11, 14, 9, 0, 445436,
+          10183344, { 1.2440553e-16, 0, 1483.5468, 9.6700225e-05, 0 } } },
+        { { "wall", "rows", 2, 0.84, { 0, 0, 0 }, 0 }, COUPLED_WIDE, 0, { 11, 12, 7, 0, 1580910,
+          97808, { 8.6436457e-17, 0, 1129.7261, 0.00014627166, 0 } } },
+        { { "arch", "n", 2, 0.84, { 0, 0, 0 }, 0 }, COUPLED_WIDE, 0, { 11, 13, 8, 0, 111482,
+          8525360, { 2.2736283e-16, 0, 1583.7274, 0.00043750073, 0 } } },
+        { { "flat-arch", "n", 2, 0.4, { 0, 0, 0 }, 0 }, COUPLED_WIDE, 0, { 11, 14, 9, 0, 151228,
+          8525360, { 1.675229e-16, 0, 7617.0885, 0.00020332722, 0 } } },
+        { { "incline", "turn", 30, 0.84, { 0, 0, 0 }, 0 }, COUPLED_WIDE, 0, { 11, 1, 0, 0, 7713,
+          332496, { 4.2754456e-17, 0, 2359.8236, 0.00014142136, 0 } } },
+        { { "arch", "n", 4, 0.84, { 0, 0, 0 }, 0 }, ROUNDS, 0, { 11, 7, 3, 0, 75072,
+          9929808, { 5.3052279e-16, 0, 2112.7124, 0.00023638941, 0 } } },
+        { { "flat-arch", "n", 3, 0.84, { 0, 0, 0 }, 0 }, ROUNDS, 0, { 11, 5, 1, 0, 52171,
+          9890896, { 5.8305129e-16, 0, 7042.8729, 0.00029554506, 0 } } },
+        { { "diamond", "rows", 3, 0.84, { 0, 0, 0 }, 0 }, ROUNDS, 0, { 11, 54, 63, 0, 4486015,
+          295264, { 1.517883e-16, 0, 21656.295, 0.00050072802, 0 } } },
+        { { "h-model", "mu", 0.84, 0.84, { 0, 0, 0 }, 0 }, ROUNDS, 0, { 22, 6033, 5981, 0, 40011961,
+          2551792, { 2.1773181e-16, 0, 931.49114, 0.00055792974, 136.41358 } } },
+        { { "incline", "angle", 35, 0.84, { 0, 0, 0 }, 0 }, ROUNDS, 0, { 11, 6, 0, 0, 13544,
+          340544, { 7.1291293e-17, 0, 2370.2001, 0.00014135073, 0 } } },
+        { { "overhang", "n", 3, 0.84, { 0, 0, 0 }, 0 }, ROUNDS, 0, { 11, 6, 0, 0, 49138,
+          8534896, { 9.5939624e-17, 0, 12064.024, 0.00031985974, 0 } } },
+        { { "cantilever", "reach", 1.2, 0.84, { 0, 0, 0 }, 0 }, ROUNDS, 0, { 11, 6, 0, 0, 31341,
+          2556304, { 1.7488594e-16, 0, 5351.5204, 0.00014534442, 0 } } },
+        { { "flat-arch", "n", 2, 0.4, { 0, 0, 0 }, 0 }, ROUNDS, 0, { 11, 6, 2, 0, 43883,
+          8530592, { 4.11683e-16, 0, 7029.8917, 0.00020279281, 0 } } },
+        { { "inverted-triangle", "rows", 2, 0.84, { 0, 0, 0 }, 0 }, ROUNDS, 0, { 11, 44, 0, 0, 266572,
+          8534896, { 8.9063831e-14, 0, 6364.5083, 0.000175, 0 } } },
+        { { "wall", "rows", 2, 0.84, { 0, 0, 0 }, 0 }, ROUNDS, 0, { 30, 153, 20, 0, 14282902,
+          826272, { 8.1636297e-16, 0, 1129.7261, 0.0001556916, 1.1478761e-14 } } }
+    };
+    COMPARE(rows);
+}
+
 TEST(alternations_take_the_work_written_here)
 {
     static const count rows[] = {
@@ -613,6 +665,7 @@ TEST_LIST(tally)
     RUN(coupled_checks_take_the_work_written_here)
     RUN(coupled_checks_of_other_lengths_take_the_work_written_here)
     RUN(coupled_trees_and_rings_take_the_work_written_here)
+    RUN(coupled_searches_in_space_and_rounds_take_the_work_written_here)
     RUN(alternations_take_the_work_written_here)
     RUN(strong_verdicts_take_the_work_written_here)
     RUN(sliding_limits_take_the_work_written_here)
