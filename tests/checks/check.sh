@@ -87,7 +87,7 @@ without() {                                             # without GONE-REGEX FLA
     wo_gone=$1
     shift
     # shellcheck disable=SC2086
-    $CC $base "$@" -O1 -c stonepack.c -o $out/without.o && symbols $out/without.o '' || return 1
+    $CC $base "$@" -Os -c stonepack.c -o $out/without.o && symbols $out/without.o '' || return 1
     ! nm $out/without.o | grep -E "$wo_gone"
 }
 tests_without() { tw_suites=$1; shift; tests_of "$tw_suites" stonepack.c -O1 "$CC" "$@"; }       # tests_without "SUITES" FLAGS...
