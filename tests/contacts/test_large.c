@@ -154,8 +154,8 @@ static void block_along(double axis[3][3], const double o[3], const double h[3])
     CHECK_INT(sp_scene_block(&scene, &mesh, R(2400), 0, NULL), SP_OK);
 }
 
-/* Slabs or beams across the diagonal of space, in an order of no kind, and the pairs of them that were asked. */
-static int64_t lean(int beams, int tried)
+/* Slabs or beams across the diagonal of space, in an order of no kind, and the pairs of them that were asked. Lengths in `unit`. */
+static int64_t lean(int beams, int tried, double unit)
 {
     const double a = sqrt(0.5), b = sqrt(1 / 3.0), c = sqrt(1 / 6.0);
     double axis[3][3] = { { a, -a, 0 }, { c, c, -2 * c }, { b, b, b } };
@@ -164,14 +164,14 @@ static int64_t lean(int beams, int tried)
     if (!CHECK_INT(sp_scene_create(&scene, &cap, &test_arena), SP_OK)) return 0;
     for (int k = 0; k < SLABS; k++) {
         const int at = k * 7 % SLABS;
-        const double slab[3] = { 4, 4, 0.0625 }, beam[3] = { 0.0625, 0.0625, 4 };
-        const double above[3] = { 0, 0, 0.125 * at }, beside[3] = { 0.125 * (at % 20), 0.125 * (at / 20), 0 };
+        const double slab[3] = { 4 * unit, 4 * unit, 0.0625 * unit }, beam[3] = { 0.0625 * unit, 0.0625 * unit, 4 * unit };
+        const double above[3] = { 0, 0, 0.125 * unit * at }, beside[3] = { 0.125 * unit * (at % 20), 0.125 * unit * (at / 20), 0 };
         block_along(axis, beams ? beside : above, beams ? beam : slab);
     }
     memset(&touch, 0, sizeof touch);
     touch.scene = &scene;
     touch.set = sp_contact_settings_default();
-    touch.set.distance = R(1e-5);
+    touch.set.distance = R(1e-5 * unit);
     touch.all.tree.tried = tried;
     sp__touch_all(&touch, &test_arena);
     CHECK_INT(touch.status, SP_OK);
@@ -183,17 +183,18 @@ TEST(blocks_whose_boxes_all_overlap_are_asked_along_a_face)
     static sp_joint joint[4 * SLABS];
     static sp_real corner[16 * SLABS][3];
     for (int beams = 0; beams < 2; beams++) {
-        const int64_t all = lean(beams, 1), all_joints = scene.count.joints, points = scene.count.points;
+        const int64_t all = lean(beams, 1, 1), all_joints = scene.count.joints, points = scene.count.points;
         CHECK_INT(all_joints, beams ? 19 * 15 + 20 * 14 : SLABS - 1);
         memcpy(joint, scene.joint, (size_t)all_joints * sizeof *joint);
         memcpy(corner, scene.point, (size_t)points * sizeof *corner);
-        const int64_t asked = lean(beams, 0);
+        const int64_t asked = lean(beams, 0, 1);
         CHECK_INT(touch.all.tree.turned, 1);
         CHECK(all > 10000 && asked < 30 * SLABS);
         CHECK_INT(scene.count.joints, all_joints);
         CHECK_INT(scene.count.points, points);
         CHECK(memcmp(corner, scene.point, (size_t)points * sizeof *corner) == 0);
         for (int64_t j = 0; j < all_joints; j++) CHECK(joint[j].a == scene.joint[j].a && joint[j].b == scene.joint[j].b);
+        CHECK_INT(lean(beams, 0, 1.0 / 1024), asked);   /* whatever the unit */
     }
 }
 

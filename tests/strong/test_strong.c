@@ -550,6 +550,7 @@ TEST(motions_are_sought_only_where_masses_and_inertias_are_known)
         const sp_strong_result r = ask(&s, NULL);
         if (k == 1 || k == 3) CHECK_INT(r.reason, SP_STRONG_NOT_ASKED);
         else CHECK(r.kind != SP_STRONG_NONE && r.reason != SP_STRONG_NOT_ASKED);
+        CHECK_INT(r.balls, k == 1 || k == 3 ? 0 : 1);
     }
 }
 
