@@ -321,6 +321,26 @@ TEST(utilisation_on_a_slope_is_its_tangent_over_mu)
         }
 }
 
+/* Where a joint is pressed and how much of its friction it uses does not depend on whether that is kilonewtons or nothing a scale
+ * would show. */
+TEST(a_joint_of_feathers_reads_as_one_of_stones)
+{
+    sp_joint_force f[2];
+    for (int light = 0; light < 2; light++) {
+        sp_scene s;
+        test_arena.used = 0;
+        build("two-cubes", "offset", 0.3, &s);
+        for (int c = 0; c < 3; c++) s.gravity[c] *= light ? R(1.0 / (1 << 30)) : 1;
+        s.gravity[0] = s.gravity[2] / 4;
+        const sp_result r = check(&s, NULL, SP_STABLE);
+        CHECK_INT(sp_joint_resultant(&s, &r, 0, &f[light]), SP_OK);
+    }
+    CHECK(f[0].utilisation > R(0.1) && fabs((double)(f[0].point[0] - f[0].point[1])) > 0.1);
+    CHECK_NEAR(f[1].utilisation, f[0].utilisation, 0);
+    CHECK_NEAR(f[1].corner_utilisation, f[0].corner_utilisation, 0);
+    for (int c = 0; c < 3; c++) CHECK_NEAR(f[1].point[c], f[0].point[c], 0);
+}
+
 /* A box by its sides and height on the ground. */
 static void box_on_ground(double a, double h, double mu, sp_scene *s)
 {
@@ -775,6 +795,7 @@ TEST_LIST(result)
     RUN(both_sides_of_a_joint_feel_opposite_forces)
     RUN(resultants_say_which_argument_they_cannot_use)
     RUN(utilisation_on_a_slope_is_its_tangent_over_mu)
+    RUN(a_joint_of_feathers_reads_as_one_of_stones)
     RUN(on_a_slope_the_upper_corners_use_more_friction_than_the_joint)
     RUN(a_twisted_joint_uses_friction_at_its_corners_alone)
     RUN(a_corner_has_its_share_of_the_cohesion)
