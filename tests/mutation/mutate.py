@@ -14,8 +14,8 @@ no test noticed. What changes nothing that anyone could see is listed in equival
 
     --guided    a suite is asked only where it reaches the changed line, by gcov; it takes minutes to find out which do, and is for
                 large samples of the core
-    --longest   of the core, tests of no more than so many milliseconds are asked (50): more of them for the survivors of a first run,
-                with --again
+    --longest   of the core, tests of up to so many milliseconds are asked (50); with more of them and --again the survivors of a
+                first run meet the slower ones, too
     --hashes    a second score: survivors that the stored hashes of tests/corpus notice
     --kept      what was killed, a line each, is read from it and written to it: a run goes in pieces that add up; survivors are
                 written, too, and asked again by --again alone (killed stays killed while tests are only added)
@@ -149,7 +149,7 @@ class Kept:
 class Suites:
     """Suites, compiled once, and two runners over them: quick tests, then the others that take no more than SLOW."""
     def __init__(self, names, work, compiler, longest):
-        """longest: of the tests asked, one kind alone [ms]; 0: both."""
+        """longest: tests of up to so many ms are asked, no slower ones; 0: quick ones, then those of up to SLOW."""
         self.work, self.compiler, self.longest, self.parts, self.objects = work, compiler, longest, {}, {}
         self.reach, self.took = None, {}
         os.makedirs(work, exist_ok=True)
