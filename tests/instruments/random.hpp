@@ -61,4 +61,4 @@ static inline sreal sreal_sqrt(sreal x) { return sreal(sreal_round(sqrtl((long d
 typedef sreal sp_real;
 #define SP_EPSILON 1.1102230246251565e-16
 #define SP_SQRT(x) sreal_sqrt(x)
-#define new made                                        /* a name in C */
+#define new made                                        /* files of the program, which are C, call things so */

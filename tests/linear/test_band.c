@@ -57,8 +57,7 @@ TEST(a_tie_exchanges_no_rows)
     for (int32_t i = 0; i < 4; i++) for (int32_t j = 0; j < 4; j++)
         if (i - j <= 1 && j - i <= 1) sp__band_row(&b, i)[j] = i > j ? R(-1) : i < j ? R(0.5) : R(1);
     NEED(sp__band_factor(&b));
-    CHECK_INT(b.pivot[0], 0);
-    for (int32_t k = 1; k < 4; k++) CHECK_INT(b.pivot[k], k);
+    for (int32_t k = 0; k < 4; k++) CHECK_INT(b.pivot[k], k);
     test_arena = mark;
 }
 

@@ -2,8 +2,7 @@
 """mutate: does a test notice when one place of the library is wrong?
 
     python3 -B tests/mutation/mutate.py [--of proof|verify|limit|core|PATH...] [--sample N] [--seed N] [--jobs N] [--guided] [--longest MS]
-                                        [--hashes]
-                                        [--line FILE:N] [--list] [--table FILE] [--least PERCENT] [--kept FILE [--minutes M]]
+                                        [--hashes] [--line FILE:N] [--list] [--table FILE] [--least PERCENT] [--kept FILE [--minutes M]]
 
 Each mutant is the library with one place changed: a relation, an arithmetic sign, a number, a condition negated, a statement left out.
 It is compiled whole by tcc, else by CC at -O0, linked with the suites, which are compiled once (white-box suites that include the

@@ -397,8 +397,8 @@ TEST(bad_problems_are_refused)
     sp_qp qp = small;
     CHECK_INT(sp_qp_solve(NULL, NULL, &test_arena, NULL, NULL, NULL), SP_E_ARGUMENT);
     qp.n = 0; CHECK_INT(solve(&qp), SP_E_EMPTY); qp = small;
-    CHECK_INT((int)sp_qp_memory_scratch(&qp, NULL) > 0, 1);
-    qp.m = -1; CHECK_INT(solve(&qp), SP_E_ARGUMENT); CHECK_INT((int)sp_qp_memory_scratch(&qp, NULL), 0); qp = small;
+    CHECK(sp_qp_memory_scratch(&qp, NULL) > 0);
+    qp.m = -1; CHECK_INT(solve(&qp), SP_E_ARGUMENT); CHECK(sp_qp_memory_scratch(&qp, NULL) == 0); qp = small;
     qp.l = NULL; CHECK_INT(solve(&qp), SP_E_ARGUMENT); qp = small;
     qp.Ai = NULL; CHECK_INT(solve(&qp), SP_E_ARGUMENT); qp = small;
     qp.Pp = lower; qp.Pi = rows; qp.Px = three; CHECK_INT(solve(&qp), SP_E_INDEX); qp = small;     /* the lower triangle */
