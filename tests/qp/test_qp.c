@@ -72,6 +72,13 @@ static double power(int32_t e)
     return p;
 }
 
+/* A factor that is drawn first, times 10^k: two draws in one expression would come in an order that compilers choose. */
+static double spread(double low, int32_t e)
+{
+    const double t = real(low, 1);
+    return t * power(e);
+}
+
 /* P = G G' / n of rank `rank` plus `shift` on the diagonal. */
 static void make_P(int32_t n, int32_t rank, double shift)
 {
@@ -90,7 +97,8 @@ static void make_A(int32_t n, int32_t m)
 {
     for (int32_t i = 0; i < m; i++) {
         for (int32_t j = 0; j < n; j++) A[i][j] = whole(0, 3) ? 0 : real(-1, 1);
-        A[i][whole(0, n - 1)] = real(0.5, 1);
+        const int32_t kept = whole(0, n - 1);
+        A[i][kept] = real(0.5, 1);
     }
 }
 
@@ -466,17 +474,17 @@ static void make_wild(int32_t e)
 {
     const int32_t n = whole(1, 10), m = whole(0, 16), rank = whole(0, n);
     static double g[N][N];
-    for (int32_t i = 0; i < n; i++) for (int32_t k = 0; k < rank; k++) g[i][k] = whole(0, 1) ? 0 : real(-1, 1) * power(e / 2);
+    for (int32_t i = 0; i < n; i++) for (int32_t k = 0; k < rank; k++) g[i][k] = whole(0, 1) ? 0 : spread(-1, e / 2);
     for (int32_t i = 0; i < n; i++)
         for (int32_t j = 0; j < n; j++) {
             P[i][j] = x[i] = 0;
             for (int32_t k = 0; k < rank; k++) P[i][j] += g[i][k] * g[j][k];
         }
-    for (int32_t j = 0; j < n; j++) s.q[j] = R(whole(0, 2) ? real(-1, 1) * power(e) : 0);
+    for (int32_t j = 0; j < n; j++) s.q[j] = R(whole(0, 2) ? spread(-1, e) : 0);
     for (int32_t i = 0; i < m; i++) {
         const int bounds = whole(0, 4);
-        const double at = real(-1, 1) * power(e), room = bounds == 2 ? 0 : real(0, 1) * power(e);
-        for (int32_t j = 0; j < n; j++) A[i][j] = whole(0, 2) ? 0 : real(-1, 1) * power(e);
+        const double at = spread(-1, e), room = bounds == 2 ? 0 : spread(0, e);
+        for (int32_t j = 0; j < n; j++) A[i][j] = whole(0, 2) ? 0 : spread(-1, e);
         lo[i] = bounds == 0 ? -1e30 : at;
         up[i] = bounds == 1 ? 1e30 : at + room;
         y[i] = 0;
