@@ -87,6 +87,7 @@ if [ -d ../shared/cases ]; then
     line "cases: 113 bits" sh "$0" instrument cases-quad
     if have g++; then line "cases: two samples of random rounding" sh "$0" instrument cases-chance; fi
     if have clang-19; then line "cases: shadows of 113 bits" sh "$0" instrument cases-shadows; fi
+    line "cases: coupled, every assembly in weaker forms and written otherwise" env EVERY=1 ONLY=cases sh tests/checks/check.sh
 else lack "cases of known truth" ../shared/cases; fi
 if have python3 && have tcc; then
     line "300 mutants of the certificate check" python3 -B tests/mutation/mutate.py --of proof --sample 300 --seed "$(date +%Y%m%d)" --hashes --quiet
