@@ -6,11 +6,12 @@
 
 #if SP__WITH_INTERIOR
 
-#define SP__STRONG_MOST 240             /* factorisations of a climb in c, at most */
+#define SP__STRONG_MOST 240             /* factorisations for the first c, at most */
+#define SP__STRONG_CLIMB 130            /* factorisations of the climb from there, at most */
 #define SP__STRONG_ASK 160              /* factorisations of a question, at most: what is decided takes no more */
 #define SP__STRONG_NEAR (100 * SP__SCALE_TOL)   /* gap of both ends, relative, that ends a climb */
 #define SP__STRONG_STILL ((sp_real)(sizeof(sp_real) == 8 ? 1e-6 : 1e-4))        /* change of imbalance, relative: none */
-#define SP__STRONG_SOLVED SP__TIE       /* imbalance from which on y is taken for that of its c */
+#define SP__STRONG_SOLVED SP__STRONG_STILL      /* imbalance from which on y is taken for that of its c; forces come later */
 
 /* K that is no cone, and what interior points leave open, by the dual of the exact stage with lambda in it:
  *
@@ -33,7 +34,8 @@ SP__NOINLINE static sp_real sp__strong_step(sp__limit *L, sp_real c)
     g->G[0] = sp__dot(g->q, g->Vq, n);
     if (!(g->G[0] > 0)) return 0;
     const sp_real off = (c + sp__dot(g->q, w->y, n)) / g->G[0];
-    if (sp__abs(off) * g->G[0] > (sp_real)1e-9 * c) {   /* a larger c: along the tangent */
+    const sp_real rounding = 16 * (sp_real)SP_EPSILON * SP_SQRT(sp__dot(g->q, g->q, n) * sp__dot(w->y, w->y, n));
+    if (sp__abs(off) * g->G[0] > (sp_real)1e-9 * c + rounding) {       /* a larger c: along the tangent */
         sp__system_axpy(w, -off, g->Vq, w->y);
         sp__newton_measure(w, &g->n, &g->state);
         return 1;
@@ -58,8 +60,12 @@ SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int thorough)
     n->imbalance = SP__HUGE;
     n->prox = 0;
     n->shift = SP__SHIFT;
-    for (int it = 0, tiny = 0; it < 12 && sp__newton_work_left(w, n) && n->imbalance > n->goal && tiny < 2; it++)
+    for (int it = 0, tiny = 0; it < 18 && sp__newton_work_left(w, n) && n->imbalance > n->goal && tiny < 2; it++) {
+        const sp_real was = n->imbalance;
         tiny += sp__newton_adapt_shift(n, sp__strong_step(L, c));
+        const int rounding = n->imbalance < SP__STRONG_SOLVED || !(n->imbalance < SP__HUGE);
+        tiny += rounding && n->imbalance > was / 2;
+    }
     if (n->imbalance <= SP__STRONG_SOLVED || !thorough) return n->imbalance <= SP__STRONG_SOLVED;
     n->shift = 0;
     n->level = SP__HUGE;
@@ -69,9 +75,29 @@ SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int thorough)
         sp__strong_step(L, c);
         still = sp__abs(n->imbalance - was) > SP__STRONG_STILL * was ? 0 : still + 1;
         if (n->prox <= SP__SHIFT) extra--;
-        else if (sp__newton_near_minimum(g->w, n)) n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
+        else if (sp__newton_near_minimum(g->w, n)) {
+            n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
+            sp__limit_sizes(L);
+            sp__limit_candidate(L, w->y);
+            if (L->none || L->best < 0) break;
+        }
     }
     return n->imbalance <= SP__STRONG_SOLVED;
+}
+
+/* Are both ends as near as they are asked to be: of the loads that are left where live ones cancel dead ones? */
+static int sp__strong_met(const sp__limit *L)
+{
+    const sp__bracket *b = &L->bracket;
+    const sp_real a = L->best < SP__HUGE ? L->best * L->ref : 0;
+    sp_real left = 0, all = 0;
+    for (int32_t i = 0; i < b->pb.blocks; i++) {
+        const sp_real *dead = b->dead + 6 * (size_t)i, *live = b->live + 6 * (size_t)i;
+        const sp_real sum[3] = { dead[0] + a * live[0], dead[1] + a * live[1], dead[2] + a * live[2] };
+        left += sp__norm3(sum);
+        all += sp__norm3(dead) + sp__abs(a) * sp__norm3(live);
+    }
+    return sp__limit_ends_meet(L, SP__STRONG_NEAR * sp__ratio(left, all));
 }
 
 /* The kept motion once more, sharpened by the rigid groups it shows: for the work of the loads that it falls by. */
@@ -89,26 +115,62 @@ SP__NOINLINE static void sp__limit_sharpen(sp__limit *L)
     sp__limit_candidate(L, g->Vq);
 }
 
-/* Both ends from the y of this c. Upper: its motion, its derivative in c (-Vq), its change since the last c (Vp keeps that y),
- * and the best of the three sharpened. Lower: its forces.                                             returns 1: they meet */
-SP__NOINLINE static int sp__strong_ends(sp__limit *L, int sharpen)
+/* Vq, with y' = -c Vq / G: of the factor at hand, and once more from there, which takes away what the factor's shift adds:
+ * joints hardly pressed, but by caps of a million weights. */
+SP__NOINLINE static void sp__strong_derivative(sp__limit *L)
 {
     sp__engine *g = &L->engine;
     sp__system *w = g->w;
     const size_t n = 6 * (size_t)w->pb->blocks;
+    sp__system_solve(w, g->q, g->Vq);
+    g->G[0] = sp__dot(g->q, g->Vq, n);
+    for (size_t k = 0; k < n; k++) w->d[k] = SP__SHIFT * g->Vq[k];
+    sp__system_solve(w, w->d, w->d);
+    sp__system_axpy(w, -sp__ratio(sp__dot(g->q, w->d, n), g->G[0]), g->Vq, w->d);
+    sp__system_axpy(w, 1, w->d, g->Vq);
+}
+
+/* Upper end: the motion u (y - Vp) - v Vq. */
+static void sp__strong_motion(sp__limit *L, sp_real u, sp_real v)
+{
+    sp__engine *g = &L->engine;
+    sp__system *w = g->w;
+    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = u * (w->y[k] - g->Vp[k]) - v * g->Vq[k];
+    sp__limit_candidate(L, w->d);
+}
+
+/* Both ends from the y of this c. Upper: its motion y = c m + y0 + y1 / c + ..., its derivative y' = m - y1 / c^2 (of the last
+ * step's factor, then of that at y: where H has a kink either may be better), its change Y since the y (in Vp) of the c
+ * `before`, (c - before) (m - y1 / (c before)), the sum c y' - before Y / (c - before), which lacks y1, too, and the best of
+ * them sharpened. Lower: its forces.                                                                  returns 1: they meet */
+SP__NOINLINE static int sp__strong_ends(sp__limit *L, sp_real c, sp_real before, int sharpen)
+{
+    sp__engine *g = &L->engine;
+    sp__system *w = g->w;
     const sp_real a = g->at;
     sp__limit_sizes(L);
     sp__limit_candidate(L, w->y);
-    for (int pass = 0; pass < 2; pass++) {
-        for (size_t k = 0; k < n; k++) w->d[k] = pass ? w->y[k] - g->Vp[k] : -g->Vq[k];
-        sp__limit_candidate(L, w->d);
-    }
+    sp__strong_motion(L, 0, 1);
+    sp__strong_motion(L, 1, 0);
     sp__system_factor(w, SP__ADMISSIBLE, w->y, SP__SHIFT);
     g->n.left--;
+    if (!w->budget.spent) {
+        sp__strong_derivative(L);
+        sp__strong_motion(L, 0, 1);
+        if (before > 0) sp__strong_motion(L, -before / (c - before), sp__ratio(c, g->G[0]));
+    }
     if (!w->budget.spent && a >= 0 && a * L->ref > L->r.lower && sp__limit_forces(L, 1, a, 0, L->r.ray))
         sp__limit_carried(L, a * L->ref, L->r.ray);
-    if (sharpen && L->best < SP__HUGE && !sp__limit_ends_meet(L, SP__STRONG_NEAR)) sp__limit_sharpen(L);
-    return sp__limit_ends_meet(L, SP__STRONG_NEAR);
+    if (sharpen && L->best < SP__HUGE && !sp__strong_met(L)) sp__limit_sharpen(L);
+    return sp__strong_met(L);
+}
+
+/* What is left of the steps beyond so many is put aside.                                  returns how many */
+static int32_t sp__strong_spare(sp__newton *n, int32_t most)
+{
+    const int32_t spare = n->left > most ? n->left - most : 0;
+    n->left -= spare;
+    return spare;
 }
 
 /* Both ends, by larger and larger c, until they meet or lambda no longer changes. Where Newton fails, c goes back to its last
@@ -127,9 +189,8 @@ SP__NOINLINE static int sp__strong_run(sp__limit *L)
     memset(w->y, 0, n * sizeof *w->y);
     sp__limit_loads(L, 0);
     g->n.best = SP__HUGE;
-    sp_real c = sum * most, times = 10;
-    const int32_t others = g->n.left > SP__STRONG_MOST ? g->n.left - SP__STRONG_MOST : 0;
-    g->n.left -= others;
+    sp_real c = sum * most, before = 0, times = 10;
+    int32_t others = sp__strong_spare(&g->n, SP__STRONG_MOST);
     int met = 0;
     for (int stage = 0, still = 0; stage < 24 && still < 3 && !met; stage++) {
         memcpy(g->Vp, w->y, n * sizeof *g->Vp);
@@ -142,7 +203,9 @@ SP__NOINLINE static int sp__strong_run(sp__limit *L)
         } else {
             still = sp__abs(g->at - last) <= SP__LIMIT_NEAR * (1 + sp__abs(last)) ? still + 1 : 0;
             last = g->at;
-            met = sp__strong_ends(L, still);
+            met = sp__strong_ends(L, c, before, still);
+            before = c;
+            if (!stage) others += sp__strong_spare(&g->n, SP__STRONG_CLIMB);
             sp__limit_loads(L, last);
             times = times * times < 10 ? times * times : 10;
         }

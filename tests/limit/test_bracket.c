@@ -612,6 +612,42 @@ TEST(limits_that_one_open_question_spent_are_closed_from_both_sides)
         CHECK_WITHIN(x.multiplier, vault[k].multiplier, 1e-5 * vault[k].multiplier);
     }
 }
+
+/* A wall with strengths of our own numbers, and a push that lifts it, nearly. */
+static sp_scene lifted_wall(uint32_t number)
+{
+    uint32_t draws = 7919 * number;
+    gen_scene g;
+    sp_scene wall;
+    memset(&wall, 0, sizeof wall);
+    test_arena.used = 0;
+    CHECK(gen_open(&g, "wall") && gen_set(&g, "rows", 2) && gen_set(&g, "mu", 0.84));
+    CHECK_INT(gen_build(&g, &test_arena, &wall), SP_OK);
+    for (int32_t i = 0; i < wall.count.joints; i++) {
+        sp_strength *k = &wall.joint[i].strength;
+        const double stress = 2400 * 9.81 * 0.3 * pow(10, test_draw(&draws, -1, 1));
+        k->mu = R(test_draw(&draws, 0.1, 1.1));
+        if (test_draw(&draws, 0, 1) < 0.5) k->cohesion = R(stress * test_draw(&draws, 0.01, 1));
+        if (test_draw(&draws, 0, 1) < 0.3 && k->cohesion > 0) k->tension = R(stress * test_draw(&draws, 0.01, 0.5));
+        if (test_draw(&draws, 0, 1) < 0.5) k->crushing = R(stress * pow(10, test_draw(&draws, 1, 2)));
+    }
+    wall.body[0] = R(9.80665 * test_draw(&draws, -0.06, 0.06));
+    wall.body[1] = R(9.80665 * test_draw(&draws, -0.03, 0.03));
+    wall.body[2] = R(9.80665);
+    return wall;
+}
+
+/* Once the ends met as near as 1e-7 of the multiplier, here 4e-6 to 12e-6 of the load that is left. */
+TEST(loads_that_nearly_cancel_end_as_near_as_what_is_left_of_them)
+{
+    static const uint32_t number[] = { 37, 44, 91, 116, 121, 134 };
+    for (size_t k = 0; k < sizeof number / sizeof *number; k++) {
+        const sp_scene wall = lifted_wall(number[k]);
+        const sp_limit_result x = limit_of(&wall, NULL);
+        CHECK_INT(x.kind, SP_LIMIT_FOUND);
+        CHECK_WITHIN(x.multiplier, x.lower, 2e-7 * fabs(1 - (double)x.multiplier));
+    }
+}
 #endif
 
 TEST_LIST(bracket)
@@ -638,5 +674,6 @@ TEST_LIST(bracket)
     RUN(what_is_no_question_is_refused)
 #if !defined SP_REAL_FLOAT && !defined SP_REAL_MIXED && !defined SP_REAL_QUAD && !defined SP_NO_IPM && !defined SP_SMALL
     RUN(limits_that_one_open_question_spent_are_closed_from_both_sides)
+    RUN(loads_that_nearly_cancel_end_as_near_as_what_is_left_of_them)
 #endif
 TEST_END
