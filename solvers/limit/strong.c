@@ -115,7 +115,7 @@ SP__NOINLINE static void sp__limit_sharpen(sp__limit *L)
     sp__limit_candidate(L, g->Vq);
 }
 
-/* Vq, with y' = -c Vq / G: of the factor at hand, and once more from there, which takes away what the factor's shift adds:
+/* Vq, with y' = -Vq / (q . Vq): of the factor at hand, and once more from there, which takes away what the factor's shift adds:
  * joints hardly pressed, but by caps of a million weights. */
 SP__NOINLINE static void sp__strong_derivative(sp__limit *L)
 {
