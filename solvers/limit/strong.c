@@ -63,8 +63,9 @@ SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int thorough)
     for (int it = 0, tiny = 0; it < 18 && sp__newton_work_left(w, n) && n->imbalance > n->goal && tiny < 2; it++) {
         const sp_real was = n->imbalance;
         tiny += sp__newton_adapt_shift(n, sp__strong_step(L, c));
-        const int rounding = n->imbalance < SP__STRONG_SOLVED || !(n->imbalance < SP__HUGE);
-        tiny += rounding && n->imbalance > was / 2;
+        /* What gains no more is rounding, or, at SP__HUGE, of loads that cancel, to which no imbalance is small. */
+        const int idle = n->imbalance < SP__STRONG_SOLVED || !(n->imbalance < SP__HUGE);
+        tiny += idle && n->imbalance > was / 2;
     }
     if (n->imbalance <= SP__STRONG_SOLVED || !thorough) return n->imbalance <= SP__STRONG_SOLVED;
     n->shift = 0;
@@ -79,7 +80,7 @@ SP__NOINLINE static int sp__strong_solve(sp__limit *L, sp_real c, int thorough)
             n->prox = n->prox > 100 * SP__SHIFT ? n->prox / 100 : SP__PROX;
             sp__limit_sizes(L);
             sp__limit_candidate(L, w->y);
-            if (L->none || L->best < 0) break;
+            if (L->none || L->best < 0) break;              /* no lambda >= 0 stands: y would grow without end */
         }
     }
     return n->imbalance <= SP__STRONG_SOLVED;

@@ -637,7 +637,7 @@ static sp_scene lifted_wall(uint32_t number)
     return wall;
 }
 
-/* Once the ends met as near as 1e-7 of the multiplier, here 4e-6 to 12e-6 of the load that is left. */
+/* Once the ends met as near as 1e-7 of the multiplier, here 2e-6 to 12e-6 of the load that is left. */
 TEST(loads_that_nearly_cancel_end_as_near_as_what_is_left_of_them)
 {
     static const uint32_t number[] = { 37, 44, 91, 116, 121, 134 };
