@@ -107,15 +107,15 @@ endif
 
 bare    = $($(BOARD).start)
 name    = $(BOARD)-$(REAL)
-out     = build/board/$(name)
 CROSS   = $($(BOARD).cross)
 CC      = $(CROSS)gcc
 OPT    ?= -O2
+out    := build/board/$(name)$(filter-out -O2,$(OPT))
 arena   = 12<<20
 suite_c = $(shell grep -L '"\.\./\.\./port/' tests/*/test_*.c)
 suites  = $(patsubst test_%.c,%,$(notdir $(suite_c)))
 left    = $(shell printf '%s\n' $(firstword $($(name).limit) $($(BOARD).limit) $(limit)) $(MOST) | sort -n | head -n 1)
-needs   = build/board/needs.txt
+needs   = build/board/needs$(MOST:%=-%).txt
 
 flags   = -std=c99 $(OPT) -ffp-contract=off -fno-math-errno -Wall -Wextra -Wno-unused-function $($(BOARD).cpu) -MMD -MP \
           $(if $(filter float,$(REAL)),-DSP_REAL_FLOAT) '-DTEST_ARENA_BYTES=((size_t)$(arena))' \
@@ -153,7 +153,7 @@ compiler:
 	@echo $(CC)
 .SECONDARY:
 
-$(out)/tests/%.o: OPT = -O1
+$(out)/tests/%.o: OPT = -O0
 $(out)/%.o: %.c
 	@mkdir -p $(@D)
 	@$(CC) $(flags) -c $< -o $@
@@ -213,11 +213,11 @@ $(out)/left_out.h: $(needs) always
 	         printf "\"%s\", /* %.1f MB, %.0f M steps */\n", $$1, $$2 / 1048576, $$3 / 1000 }' \
 	    $< > $@.new; cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
-# What each test needs, measured on the host: "name bytes thousands-of-steps" [work.h].
+# What each test needs, measured on the host: "name bytes thousands-of-steps", and no more of a test than can matter [work.h].
 counted = -std=c99 -O1 -ffp-contract=off -fno-math-errno -fno-builtin -Wno-unused-function -Iport/board/include \
           -include stdio.h -include port/board/work.h -DTEST_PRINT=printf '-DTEST_WORK()=work_steps' \
-          '-DTEST_TOO_MUCH()=WORK_START()' '-DTEST_ARENA_BYTES=((size_t)24<<20)' -DSP_SQRT=__builtin_sqrt \
-          -DTEST_SUITES='$(foreach s,$(suites),X($(s)))'
+          '-DTEST_TOO_MUCH()=WORK_START()' $(if $(MOST),'-DWORK_MOST=(1000*($(MOST)+1))') '-DTEST_ARENA_BYTES=((size_t)24<<20)' \
+          -DSP_SQRT=__builtin_sqrt -DTEST_SUITES='$(foreach s,$(suites),X($(s)))'
 $(needs): tests/run.c tests/test.h $(suite_c) $(wildcard port/board/work.*) stonepack.c stonepack.h $(wildcard solvers/*/*.c)
 	@mkdir -p $(@D)
 	@gcc $(counted) -c port/board/work.c -o build/board/work.o

@@ -4,7 +4,8 @@
 #     ONLY=text    only boards whose names contain the text
 #     STRICT=1     what could not be run counts as a failure
 #     WHOLE="m4f-float m7-double"    the tests on these only, the corpus everywhere; else the tests, too, on all of the table
-#     MOST=16000   tests of more work are left out, in thousands of steps [board.mk]
+#     MOST=8000    tests of more work are left out, in thousands of steps [board.mk]
+#     QUICK=1      where the corpus alone runs, the library is optimised by -O1, not -O2
 #
 # `boards.sh NAME` runs that board alone, in place.
 . tests/checks/tally.sh
@@ -30,6 +31,10 @@ i686     qemu-i386           gcc-i686-linux-gnu,qemu-user             float
 '
 
 on() { MAKEFLAGS='' make --no-print-directory -s -f port/board/board.mk BOARD="$1" REAL="$2" "$3"; }
+asked() { case " ${WHOLE:-$1-$2} " in *" $1-$2 "*) ;; *) return 1 ;; esac; }       # asked BOARD PRECISION: whether tests run there
+
+# What tests need is measured by whoever comes first, beside the boards that do not ask for it.
+needs() { MAKEFLAGS='' flock build/board/needs.lock make --no-print-directory -s -f port/board/board.mk needs; }
 
 # What was not run here, each with its reason.
 left_out() {
@@ -40,11 +45,14 @@ one() {                                                 # one BOARD SIMULATOR PA
     compiler=$(make -s -f port/board/board.mk BOARD="$1" compiler)
     if ! have "$compiler" || ! have "$2"; then skip "$1" "$3"; return; fi
     for real in $(echo "$4" | tr , ' '); do
-        case " ${WHOLE:-$1-$real} " in *" $1-$real "*) ;; *) continue ;; esac
+        if ! asked "$1" "$real"; then continue; fi
+        needs || :                                      # the tests ask again, and fail
         count "$1 $real" on "$1" "$real" tests
         left_out "$1" "$real"
     done
     for real in double float; do
+        if [ "${QUICK:-}" ] && ! asked "$1" "$real"; then OPT=-O1; else OPT=-O2; fi
+        export OPT
         part "$1 $real: the bits of the host" on "$1" "$real" corpus
     done
 }
@@ -63,16 +71,19 @@ joined() {                                              # joined BOARD: what it 
     fi
 }
 
-if [ $# -gt 0 ]; then
+if [ "${1:-}" = needs ]; then
+    needs
+elif [ $# -gt 0 ]; then
     # shellcheck disable=SC2046
     one $(echo "$boards" | grep "^$1 ")
 else
     for suite in $(grep -l '"\.\./\.\./port/' tests/*/test_*.c); do
         echo "left out everywhere: $suite: it tests programs of port/"
     done
-    make --no-print-directory -s -f port/board/board.mk needs || failed=$((failed + 1))
-    names=$(echo "$boards" | awk -v only="${ONLY:-}" 'NF && index($1, only) { print $1 }')
-    echo "$names" | xargs -P "$(nproc 2> /dev/null || echo 1)" -I{} sh -c "sh '$0' {} > $logs/{} 2>&1"
+    # First those that need not be told what a test needs.
+    names=$(echo "$boards" | awk -v only="${ONLY:-}" -v whole=" ${WHOLE:-}" '
+        NF && index($1, only) { print (index(whole, " " $1 "-") > 0), $1 }' | sort -s -n -k1,1 | cut -d ' ' -f 2)
+    { echo needs; echo "$names"; } | xargs -P "$(nproc 2> /dev/null || echo 1)" -I{} sh -c "sh '$0' {} > $logs/{} 2>&1"
     for board in $names; do joined "$board"; done
 fi
 total

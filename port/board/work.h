@@ -6,7 +6,9 @@
 #include <setjmp.h>
 #include <stdint.h>
 
+#ifndef WORK_MOST
 #define WORK_MOST 100000000
+#endif
 
 extern jmp_buf work_too_much;
 extern uint64_t work_steps, work_end;
