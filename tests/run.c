@@ -13,7 +13,16 @@
 #include "test.h"
 
 #include <string.h>
+#ifdef __has_feature
+#if __has_feature(memory_sanitizer)
+#include <sanitizer/msan_interface.h>
+#define TEST_FORGET(at, n) __msan_allocated_memory(at, n)
+#endif
+#endif
 
+#ifndef TEST_FORGET
+#define TEST_FORGET(at, n) ((void)0)
+#endif
 #ifndef TEST_FIRST
 #define TEST_FIRST 0
 #endif
@@ -54,6 +63,12 @@ static uint64_t memory[TEST_ARENA_BYTES / 8];
 static uint64_t seed = 20260101u, state;
 static int failures;                                    /* of the running test */
 static const char *running_stem, *running_name;
+
+void test_renew(void)
+{
+    test_arena.used = test_arena.peak = 0;
+    TEST_FORGET(memory, sizeof memory);
+}
 
 uint32_t test_random(void)
 {
@@ -178,6 +193,7 @@ static int run(const char *stem, const test_entry *e)
     failures = 0;
     state = seed * 2862933555777941757u + 3037000493u;
     sp_arena_init(&test_arena, memory, sizeof memory);
+    test_renew();
     if (!TEST_TOO_MUCH()) e->run();
     return failures == 0;
 }

@@ -76,6 +76,7 @@ extern int test_long;
 #define SOME_OF(all, few) (test_long ? (all) : (few))
 
 /* Numbers without pattern, the same on every machine; seeded anew for every test, the seed is printed on failure. */
+void test_renew(void);                                  /* test_arena is empty again; to MSan nobody has written there yet */
 uint32_t test_random(void);                             /* 0 .. 2^32 - 1                                  [xorshift64*] */
 int32_t  test_random_int(int32_t low, int32_t high);    /* low .. high, both included */
 sp_real  test_random_real(double low, double high);     /* low <= x < high */

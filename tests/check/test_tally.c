@@ -3,10 +3,7 @@
  * hardly ever tells. Found by checks: imbalances, |f|, |dq|, the help that joints want. */
 #include "../scenes/tally.h"
 
-#if !defined SP_NO_IPM && !defined SP_SMALL && !defined SP_NO_CRA && !defined SP_NO_STRONG && !defined SP_NO_SLIDING \
- && !defined SP_NO_QP && !defined SP_NO_ADMM && !defined SP_NO_DYKSTRA && !defined SP_QP_NO_CG && !defined SP_QP_NO_POLISH \
- && !defined SP_QP_NO_INTERIOR && !defined SP_EXACT_ONLY && !defined SP_QP_ONLY
-#define TALLY_ALL
+#ifdef TALLY_ALL
 
 /* How a scene is asked. */
 typedef enum ask { PLANNED, IN_SPACE, TOGETHER, FINE, IN_4, AROUND_8, IN_16, NO_HELP, LESS_BOUND, LEAST_SQUARES, DENSE, POLISH,

@@ -13,6 +13,13 @@
 enum { COUNTED = 0 };
 #else
 enum { COUNTED = 1 };
+#define TALLY_COUNTED
+#endif
+
+#if !defined SP_NO_IPM && !defined SP_SMALL && !defined SP_NO_CRA && !defined SP_NO_STRONG && !defined SP_NO_SLIDING \
+ && !defined SP_NO_QP && !defined SP_NO_ADMM && !defined SP_NO_DYKSTRA && !defined SP_QP_NO_CG && !defined SP_QP_NO_POLISH \
+ && !defined SP_QP_NO_INTERIOR && !defined SP_EXACT_ONLY && !defined SP_QP_ONLY
+#define TALLY_ALL
 #endif
 
 /* A generated scene. live: acceleration of all its blocks / g; glue: 1 cohesion, 2 tension, 4 crushing, of 3, 1/2, 20 times the
@@ -31,25 +38,30 @@ typedef struct tally {
     double found[TALLY_FOUND];
 } tally;
 
+static void tally_glue(sp_scene *s, int glue)
+{
+    double mass = 0, area = 0;
+    for (int32_t b = 0; b < s->count.blocks; b++) mass += s->block[b].fixed == SP_FIXED ? 0 : (double)s->block[b].mass;
+    for (int32_t i = 0; i < s->count.joints; i++) area += (double)s->joint[i].area;
+    for (int32_t i = 0; i < s->count.joints; i++) {
+        sp_strength *k = &s->joint[i].strength;
+        if (glue & 1) k->cohesion = R(3 * 9.80665 * mass / area);
+        if (glue & 2) k->tension = R(0.5 * 9.80665 * mass / area);
+        if (glue & 4) k->crushing = R(20 * 9.80665 * mass / area);
+    }
+}
+
 static sp_scene tally_make(const tally_scene *t)
 {
     gen_scene g;
     sp_scene s;
-    double mass = 0, area = 0;
-    test_arena.used = test_arena.peak = 0;
+    test_renew();
     memset(&s, 0, sizeof s);
     if (!CHECK_INT(gen_open(&g, t->name), 1) || !CHECK_INT(gen_set(&g, t->number, t->value), 1)) return s;
     CHECK_INT(gen_set(&g, "mu", t->mu), 1);
     CHECK_INT(gen_build(&g, &test_arena, &s), SP_OK);
     for (int k = 0; k < 3; k++) s.body[k] = R(9.80665 * t->live[k]);
-    for (int32_t b = 0; b < s.count.blocks; b++) mass += s.block[b].fixed == SP_FIXED ? 0 : (double)s.block[b].mass;
-    for (int32_t i = 0; i < s.count.joints; i++) area += (double)s.joint[i].area;
-    for (int32_t i = 0; i < s.count.joints; i++) {
-        sp_strength *k = &s.joint[i].strength;
-        if (t->glue & 1) k->cohesion = R(3 * 9.80665 * mass / area);
-        if (t->glue & 2) k->tension = R(0.5 * 9.80665 * mass / area);
-        if (t->glue & 4) k->crushing = R(20 * 9.80665 * mass / area);
-    }
+    tally_glue(&s, t->glue);
     return s;
 }
 

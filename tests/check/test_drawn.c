@@ -1,0 +1,662 @@
+/* Work of drawn scenes: sums over a few of a kind, counted as test_tally.c counts that of scenes with a name. Those stand straight,
+ * mostly in a plane, of equal stones; these are frusta anywhere, stacks, walls, rubble and arches, as they are or turned about an
+ * axis that is none of the world's, some of them glued or pushed. */
+#include "../scenes/tally.h"
+#include "../scenes/change.h"
+#include "../../port/fuzz/bytes.c"
+#include "../../port/fuzz/families.c"
+
+#if defined TALLY_ALL && defined TALLY_COUNTED
+
+enum { BYTES = SP_FUZZ_FAMILIES };                      /* any frusta; below that a family */
+
+/* `count` scenes of a kind from seed `first` on. live: push in gravities, of a family, < 0: in its plane, of frusta, too, if not 0; turn: about (2, 3, 4) by 159 degrees; glue as
+ * tally_scene. how: as each question takes it. Of `is` kind: answers, 1 the first of its words, 100 the second, and so on. */
+typedef struct drawn {
+    int kind, first, count, turn, glue, how;
+    double live;
+    tally is;
+} drawn;
+
+/* What is summed. */
+typedef struct sum {
+    int kind;
+    sp_cost cost;
+    size_t bytes;
+    double found[TALLY_FOUND];
+} sum;
+
+/* Frusta, mostly on each other: bytes of port/fuzz/bytes.c, each between two bounds. */
+static sp_scene any_frusta(uint64_t seed)
+{
+    static const uint8_t stone[10][2] = { { 0, 255 }, { 4, 9 }, { 5, 12 }, { 4, 9 }, { 5, 12 }, { 0, 9 }, { 1, 8 }, { 0, 228 }, { 0, 255 },
+                                          { 0, 203 } };
+    static const uint8_t rest[12][2] = { { 0, 15 }, { 0, 239 }, { 0, 205 }, { 0, 4 }, { 0, 255 }, { 0, 1 }, { 108, 148 }, { 0, 20 }, { 108, 148 },
+                                         { 0, 20 }, { 60, 128 }, { 0, 20 } };
+    uint8_t byte[SP_FUZZ_BYTES] = { 0 };
+    size_t n = 1;
+    sp_scene s;
+    byte[0] = (uint8_t)sp_family_int(&seed, 1, SP_FUZZ_BLOCKS - 2);
+    for (int b = 0; b < byte[0] + 2; b++)
+        for (int k = 0; k < 10; k++) byte[n++] = (uint8_t)sp_family_int(&seed, stone[k][0], stone[k][1]);
+    for (int k = 0; k < 12; k++) byte[n++] = (uint8_t)sp_family_int(&seed, rest[k][0], rest[k][1]);
+    CHECK_INT(sp_scene_from_bytes(byte, n, &test_arena, &s), SP_OK);
+    return s;
+}
+
+static sp_scene turned(const sp_scene *s)
+{
+    static const double q[3][3] = { { -20, 4, 22 }, { 20, -10, 20 }, { 10, 28, 4 } };
+    int32_t place[MOST], name[MOST];
+    change c = none();
+    sp_scene t;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) c.q[i][j] = q[i][j] / 30;
+    copy(s, &c, &t, place, name);
+    for (int i = 0; i < 3; i++) t.body[i] = R(c.q[i][0] * s->body[0] + c.q[i][1] * s->body[1] + c.q[i][2] * s->body[2]);
+    t.live = s->live;
+    return t;
+}
+
+static sp_scene drawn_scene(const drawn *d, int k)
+{
+    const uint64_t seed = (uint64_t)(d->first + k);
+    sp_scene s;
+    test_renew();
+    if (d->kind == BYTES) s = any_frusta(seed);
+    else CHECK_INT(sp_scene_of_family((sp_fuzz_family)d->kind, seed, &test_arena, &s), SP_OK);
+    if (d->kind == BYTES && d->live > 0) { s.body[0] = R(6); s.body[1] = R(-8); }
+    if (d->kind < BYTES || d->live > 0) s.live = R(fabs(d->live));
+    if (d->live < 0) s.body[1] = 0;
+    if (d->turn) s = turned(&s);
+    tally_glue(&s, d->glue);
+    test_arena.peak = test_arena.used;
+    return s;
+}
+
+static int answers(int word)
+{
+    int of = 1;
+    while (word-- > 0) of *= 10;
+    return of;
+}
+
+static void add(sum *t, int kind, const sp_cost *cost, size_t bytes, const double found[TALLY_FOUND])
+{
+    t->kind += kind;
+    tally_add(&t->cost, cost);
+    t->bytes += bytes;
+    for (int e = 0; e < TALLY_FOUND; e++) t->found[e] += found[e];
+}
+
+typedef void question(const drawn *d, const sp_scene *s, sum *t);
+
+static void compare(const drawn *rows, size_t n, question *ask)
+{
+    for (size_t k = 0; k < n; k++) {
+        sum t;
+        memset(&t, 0, sizeof t);
+        for (int i = 0; i < rows[k].count; i++) {
+            const sp_scene s = drawn_scene(&rows[k], i);
+            ask(&rows[k], &s, &t);
+        }
+        tally_compare("drawn", k, &rows[k].is, t.kind, &t.cost, t.bytes, t.found);
+    }
+}
+
+#define COMPARE(rows, ask) compare(rows, sizeof (rows) / sizeof *(rows), ask)
+
+/* ----------------------------------------------------------------------------------------------------------------- checks */
+
+enum { PLANNED, IN_SPACE, IN_8, COARSE, LEAST_SQUARES, DENSE, POLISH, BY_ADMM, NET,
+       COUPLED, COUPLED_IN_SPACE, COUPLED_TIGHT, COUPLED_IN_8, COUPLED_WIDE, COUPLED_BOX, ROUNDS, SEEDED };
+
+static sp_settings asked(int how)
+{
+    sp_settings set = how == SEEDED ? sp_settings_seed() : sp_settings_default();
+    if (how == IN_SPACE || how == COUPLED_IN_SPACE) set.effect[SP_EFFECT_DEPTH] = set.effect[SP_EFFECT_FRICTION] = SP_WITH;
+    if (how == IN_8 || how == COUPLED_IN_8) set.faces = 8;
+    if (how == COARSE) set.tol = R(1e-4);
+    set.localise = 1;
+    set.penalty.net = how == NET;
+    if (how >= LEAST_SQUARES && how <= NET) {
+        set.stage_count = 1;
+        set.stage[0] = how == LEAST_SQUARES ? SP_STAGE_LEAST_SQUARES : how == DENSE ? SP_STAGE_DENSE
+                     : how == POLISH ? SP_STAGE_POLISH : SP_STAGE_ADMM;
+    }
+    set.coupled.asked = how >= COUPLED;
+    if (how == COUPLED_TIGHT) { set.coupled.eps = R(1e-4); set.coupled.eta = R(4e-4); }
+    if (how == COUPLED_WIDE) set.coupled.eps = 0;
+    if (how == COUPLED_IN_8) set.coupled.nodes = 0;
+    if (how == COUPLED_BOX) set.coupled.box = 1;
+    if (how == ROUNDS) set.coupled.rounds = 3;
+    return set;
+}
+
+static void check_it(const drawn *d, const sp_scene *s, sum *t)
+{
+    const sp_settings set = asked(d->how);
+    double help = 0;
+    sp_result r;
+    if (!CHECK_INT(sp_check(s, &set, &test_arena, &r), SP_OK)) return;
+    for (int32_t i = 0; i < s->count.joints; i++) help += (double)r.demand[i].tension + (double)r.demand[i].friction;
+    const double found[] = { (double)r.imbalance, (double)r.least_imbalance, tally_size(r.f, 3 * (size_t)s->count.points),
+                             tally_size(r.coupled.dq ? r.coupled.dq : r.dq, 6 * (size_t)s->count.blocks), help };
+    add(t, answers(d->how < COUPLED ? (int)r.verdict : (int)r.coupled.verdict), &r.spent.total, r.spent.peak_bytes, found);
+}
+
+static void limit_it(const drawn *d, const sp_scene *s, sum *t)
+{
+    const sp_settings set = asked(d->how);
+    sp_limit_result x;
+    memset(&x, 0, sizeof x);
+    CHECK_INT(sp_limit(s, &set, &test_arena, &x), SP_OK);
+    const double found[] = { (double)x.lower, (double)x.upper, (double)x.lowest, (double)x.within, (double)x.least_imbalance };
+    add(t, answers((int)x.kind), &x.cost, x.peak_bytes, found);
+}
+
+static void strong_of(const drawn *d, const sp_scene *s, sum *t)
+{
+    sp_strong_settings how = sp_strong_settings_default();
+    sp_strong_result x;
+    sp_result r;
+    how.starts = 2 + 4 * d->how;
+    CHECK_INT(sp_check(s, NULL, &test_arena, &r), SP_OK);
+    CHECK_INT(sp_strong(s, NULL, &how, r.f, NULL, &test_arena, &x), SP_OK);
+    const double found[] = { (double)x.residual, (double)x.moves, (double)x.margin, tally_size(x.f, 3 * (size_t)s->count.points),
+                             tally_size(x.a, 6 * (size_t)s->count.blocks) };
+    add(t, answers((int)x.kind), &x.cost, x.peak_bytes, found);
+}
+
+static void slide_it(const drawn *d, const sp_scene *s, sum *t)
+{
+    sp_sliding_settings how = sp_sliding_settings_default();
+    sp_sliding_result x;
+    sp_limit_result limit;
+    how.starts = 2 + 4 * d->how;
+    CHECK_INT(sp_limit(s, NULL, &test_arena, &limit), SP_OK);
+    CHECK_INT(sp_sliding(s, NULL, &how, &limit, &test_arena, &x), SP_OK);
+    const double found[] = { (double)x.lower, (double)x.lower_strong, (double)x.share,
+                             tally_size(x.f, 3 * (size_t)s->count.points), tally_size(x.v, 6 * (size_t)s->count.blocks) };
+    add(t, answers((int)x.kind), &x.cost, x.peak_bytes, found);
+}
+
+/* Up in the order of their numbers, held where it falls; every third is taken out and set again. how: the first step is all but
+ * the last stone. */
+static void build_it(const drawn *d, const sp_scene *s, sum *t)
+{
+    const int32_t n = s->count.blocks;
+    sp_presence there[MOST];
+    sp_sequence *q;
+    sp_suggestion next;
+    sp_step step;
+    for (int32_t b = 0; b < n; b++) there[b] = b < n - 1 ? SP_PRESENT : SP_ABSENT;
+    CHECK_INT(sp_sequence_open(s, NULL, &test_arena, &q), SP_OK);
+    if (d->how) CHECK_INT(sp_sequence_fill(q, there, &step), SP_OK);
+    for (int32_t i = 0; i < 2 * n; i++) {
+        const int32_t b = i / 2;
+        double found[TALLY_FOUND] = { 0 };
+        sp_held held;
+        if (i % 2 && b % 3) continue;
+        CHECK_INT(sp_sequence_set(q, b, d->how == i % 2 ? SP_PRESENT : i % 4 ? SP_HELD : SP_ABSENT, &step), SP_OK);
+        found[0] = (double)step.imbalance;
+        found[1] = (double)step.least_imbalance;
+        found[2] = tally_size(step.f, 3 * (size_t)s->count.points);
+        found[3] = tally_size(step.dq, 6 * (size_t)n);
+        found[4] = step.again + 100.0 * step.local + 1e4 * step.islands + 1e6 * step.block;
+        add(t, answers((int)step.verdict), &step.cost, 0, found);
+        if (step.verdict == SP_STABLE) continue;
+        CHECK_INT(sp_sequence_hold(q, 0, &held), SP_OK);
+        tally_add(&t->cost, &held.cost);
+        t->found[4] += (int)held.proof + 10 * held.checks;
+        for (int32_t h = 0; h < held.count; h++) t->found[4] += 100 * held.block[h] + 1e4 * held.must[h];
+    }
+    for (int32_t way = 0; way < 2; way++) {
+        CHECK_INT(sp_sequence_suggest(q, way, 0, &next), SP_OK);
+        tally_add(&t->cost, &next.cost);
+        t->found[4] += next.block;
+    }
+    t->bytes += test_arena.peak;
+}
+
+/* The same blocks, four-sided faces cut into triangles, each moved by up to `far` [m]. */
+static sp_scene cut(const sp_scene *s, uint64_t seed, double far)
+{
+    sp_capacity room = s->capacity;
+    sp_scene t;
+    room.faces *= 2;
+    room.corners *= 2;
+    CHECK_INT(sp_scene_create(&t, &room, &test_arena), SP_OK);
+    for (int32_t k = 0; k < s->count.blocks; k++) {
+        const sp_block *b = &s->block[k];
+        const sp_real by[3] = { sp_family_real(&seed, -far, far), sp_family_real(&seed, -far, far), sp_family_real(&seed, -far, far) };
+        int32_t size[12], corner[36], n = 0;
+        sp_real xyz[24];
+        for (int32_t v = 0; v < 8; v++)
+            for (int i = 0; i < 3; i++) xyz[3 * v + i] = s->vertex[b->vertex + v][i] + by[i];
+        for (int32_t f = 0; f < 6; f++) {
+            const int32_t *c = s->corner + s->face[b->face + f].corner, from = sp_family_int(&seed, 0, 3);
+            for (int32_t i = 0; i < 6; i++) corner[n++] = c[(from + (i > 2 ? (i - 1) % 4 : i)) % 4] - b->vertex;
+            size[2 * f] = size[2 * f + 1] = 3;
+        }
+        const sp_mesh mesh = { 8, 12, xyz, size, corner };
+        CHECK_INT(sp_scene_block(&t, &mesh, b->density, b->fixed, NULL), SP_OK);
+    }
+    return t;
+}
+
+/* Contacts of what touches nearly. how: 1 within a centimetre and a tenth, 2 where faces rise four distances at most. */
+static void touch_it(const drawn *d, const sp_scene *s, sum *t)
+{
+    const double far = d->how ? 2e-3 : 1e-7;
+    sp_contact_settings how = sp_contact_settings_default();
+    sp_overlap within[64];
+    sp_contact_report report = { 0, 0, 0, 64, within };
+    double found[TALLY_FOUND] = { 0 };
+    sp_cost none;
+    sp_scene u = cut(s, (uint64_t)s->count.vertices, far);
+    memset(&none, 0, sizeof none);
+    if (d->how) { how.distance = R(1e-2); how.absolute = 1; how.angle = R(d->how == 1 ? 0.1 : -4); }
+    test_arena.peak = test_arena.used;
+    CHECK_INT(sp_contacts_find(&u, &how, test_arena, &report), SP_OK);
+    for (int32_t j = 0; j < u.count.joints; j++) {
+        const sp_joint *o = &u.joint[j];
+        found[0] += (double)o->area;
+        found[1] += (j + 1) * (double)(o->n[0] + 2 * o->n[1] + 3 * o->n[2]);
+        for (int32_t v = o->point; v < o->point + o->points; v++)
+            found[2] += (v + 1) * (double)(u.point[v][0] + 2 * u.point[v][1] + 3 * u.point[v][2]);
+    }
+    for (int32_t k = 0; k < report.overlaps; k++) {
+        found[3] += (double)within[k].depth;
+        found[4] += (k + 1) * (within[k].a + 10.0 * within[k].b);
+    }
+    none.factorisations = report.joints;
+    none.iterations = report.points;
+    none.interior = report.overlaps;
+    add(t, 0, &none, 0, found);
+}
+
+TEST(drawn_checks_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 0, 40, 0, 0, PLANNED, 0, { 3100, 257, 159, 1, 2201432, 892240,
+          { 15.265798, 2.6584586, 3040276.9, 47.529142, 662596.27 } } },
+        { BYTES, 40, 40, 1, 0, PLANNED, 0.2, { 2470, 412, 326, 6, 5560741, 1009504,
+          { 15.751994, 2.97408, 2855963.3, 33.415519, 7952684.9 } } },
+        { BYTES, 80, 40, 1, 0, IN_SPACE, 0, { 2470, 238, 160, 6, 3035424, 996112,
+          { 17.727346, 3.1208641, 2504250.9, 33.238444, 590340.69 } } },
+        { BYTES, 120, 40, 0, 0, IN_8, 0, { 2650, 293, 193, 2, 2822166, 899808,
+          { 16.811625, 2.337374, 2475563.7, 38.392495, 514352.96 } } },
+        { BYTES, 160, 40, 0, 0, IN_SPACE, 0.2, { 2740, 643, 565, 9, 5960824, 868128,
+          { 14.799076, 2.292468, 2484145.9, 37.907004, 477358.84 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_checks_of_families_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { SP_FUZZ_STACK, 0, 12, 1, 0, PLANNED, 0.1, { 210, 34, 22, 0, 891774, 657088,
+          { 0.081262699, 0.0056246227, 518859.57, 1.732678, 13101.445 } } },
+        { SP_FUZZ_STACK, 20, 12, 0, 0, PLANNED, 0.3, { 390, 60, 48, 4, 1525694, 604320,
+          { 0.44246294, 0.020200773, 396199.89, 4.1261683, 46817.414 } } },
+        { SP_FUZZ_RUBBLE, 0, 6, 0, 0, PLANNED, 0.2, { 60, 34, 28, 0, 3357078, 421872,
+          { 2.2482411e-14, 0, 207016.81, 0, 0 } } },
+        { SP_FUZZ_RUBBLE, 6, 6, 1, 0, PLANNED, 0.3, { 330, 45, 39, 0, 4353562, 460672,
+          { 0.27584272, 0.017592648, 179932.6, 9.6753118, 17416.482 } } },
+        { SP_FUZZ_RUBBLE, 12, 6, 0, 0, PLANNED, -0.3, { 60, 24, 18, 0, 925662, 481584,
+          { 1.2516995e-14, 0, 160791.67, 0, 0 } } },
+        { SP_FUZZ_ARCH, 0, 6, 1, 0, IN_8, 0.1, { 60, 23, 17, 0, 1105821, 425136,
+          { 1.0248452e-14, 0, 354354.24, 0, 0 } } },
+        { SP_FUZZ_ARCH, 8, 6, 0, 0, PLANNED, -0.2, { 150, 37, 30, 4, 646475, 365168,
+          { 0.13385587, 0.00050735135, 337189.95, 1.6896534, 1116.6261 } } },
+        { SP_FUZZ_WALL, 0, 5, 0, 0, PLANNED, -0.4, { 140, 35, 29, 0, 732694, 322272,
+          { 0.051864935, 0.019320389, 1002192.4, 1.4873858, 1334.6509 } } },
+        { SP_FUZZ_WALL, 5, 3, 1, 0, IN_SPACE, 0.2, { 30, 23, 20, 0, 1792010, 223680,
+          { 8.6091446e-15, 0, 744964.34, 0, 0 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_checks_with_strength_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 200, 30, 1, 7, PLANNED, 0, { 1200, 136, 83, 3, 2233420, 766272,
+          { 5.7556584, 1.8015329, 1711869.3, 16.692567, 62045.976 } } },
+        { BYTES, 230, 30, 0, 5, COARSE, 0.2, { 2370, 259, 203, 3, 4272992, 697328,
+          { 9.5146431, 2.0080013, 2478123.5, 36.081906, 331789.18 } } },
+        { BYTES, 260, 30, 1, 6, IN_8, 0, { 1830, 382, 322, 0, 8836013, 767040,
+          { 10.436422, 1.6607611, 1832495, 26.496719, 96657.38 } } },
+        { SP_FUZZ_STACK, 5, 12, 0, 4, PLANNED, 0.2, { 660, 162, 150, 0, 9747671, 654624,
+          { 0.70207938, 0.065988976, 555498.32, 9.3892403, 21405.39 } } },
+        { SP_FUZZ_RUBBLE, 0, 4, 1, 3, PLANNED, 0.9, { 400, 27, 23, 0, 3707532, 349952,
+          { 0.42213547, 0.063847697, 281898.77, 15.776864, 103877.36 } } },
+        { SP_FUZZ_ARCH, 3, 4, 1, 7, PLANNED, 0.5, { 400, 38, 34, 4, 3132182, 286848,
+          { 0.34502858, 0.025032556, 318983.31, 7.4278701, 19617.497 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_checks_by_stages_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 300, 30, 0, 0, LEAST_SQUARES, 0, { 84, 30, 0, 0, 464431, 633472,
+          { 9.790863, 0, 3058496.6, 0, 0 } } },
+        { BYTES, 300, 30, 1, 0, DENSE, 0, { 93, 30, 0, 0, 605120, 770656,
+          { 10.030754, 0, 3036707.6, 0, 0 } } },
+        { BYTES, 300, 30, 0, 0, POLISH, 0, { 120, 30, 8319, 0, 15265391, 633472,
+          { 8.3628592, 0, 3113590.7, 0, 0 } } },
+        { BYTES, 330, 10, 1, 7, LEAST_SQUARES, 0, { 28, 10, 0, 0, 276536, 241104,
+          { 4.8365473, 0, 517313.38, 0, 0 } } },
+        { BYTES, 330, 10, 0, 5, DENSE, 0, { 10, 10, 0, 0, 318808, 234896,
+          { 6.4328248, 0, 527728.64, 0, 0 } } },
+        { BYTES, 330, 10, 1, 6, POLISH, 0, { 19, 10, 2141, 0, 3945096, 241104,
+          { 5.5568321, 0, 527104.33, 0, 0 } } },
+        { SP_FUZZ_ARCH, 0, 2, 0, 0, DENSE, 0.1, { 2, 2, 0, 0, 420136, 158400,
+          { 0.11422747, 0, 106161.4, 0, 0 } } },
+        { SP_FUZZ_ARCH, 2, 2, 1, 0, POLISH, 0.1, { 20, 2, 267, 0, 2026504, 137792,
+          { 5.4294389e-10, 0, 122231.09, 0, 0 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_checks_by_programs_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 340, 3, 0, 0, BY_ADMM, 0, { 111, 105, 344, 0, 8645675, 281376,
+          { 1.8052709, 0.037203305, 158976.51, 3.5725513, 92424.388 } } },
+        { BYTES, 343, 2, 1, 0, NET, 0, { 110, 88, 240, 0, 6862743, 205312,
+          { 1, 0.1098688, 58093.714, 1.0476909, 0 } } },
+        { SP_FUZZ_STACK, 0, 2, 1, 0, BY_ADMM, 0.1, { 11, 18, 205, 0, 6288732, 328544,
+          { 0.00023055, 0, 117831.95, 0, 87.362172 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_coupled_checks_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 400, 12, 0, 0, COUPLED, 0, { 930, 3544, 3434, 0, 32382214, 51712896,
+          { 6.784459, 1.3054728, 638475.8, 0.02766662, 73987.868 } } },
+        { BYTES, 430, 8, 1, 0, COUPLED, 0.1, { 710, 46949, 46320, 5, 145358554, 37627072,
+          { 2.240653, 0.63787565, 443169.98, 0.026976466, 999087.17 } } },
+        { SP_FUZZ_STACK, 0, 6, 1, 0, COUPLED, 0.1, { 60, 16, 10, 0, 474032, 49998464,
+          { 3.134711e-14, 0, 262499.05, 0.0050247176, 0 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_coupled_checks_in_space_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { SP_FUZZ_STACK, 8, 6, 0, 0, COUPLED_IN_SPACE, 0.2, { 330, 4984, 4920, 0, 88417400, 58734064,
+          { 0.12135728, 0.012603493, 293333.38, 0.014470499, 11105.502 } } },
+        { SP_FUZZ_RUBBLE, 0, 2, 1, 0, COUPLED, 0.1, { 20, 45, 35, 0, 3580000, 209376,
+          { 5.8036416e-12, 0, 75980.24, 0.0016213652, 0 } } },
+        { BYTES, 450, 8, 1, 0, COUPLED_IN_SPACE, 0, { 710, 278, 227, 0, 2659750, 45063392,
+          { 6.1681508, 1.2195461, 340007.01, 0.037498913, 118170.74 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_coupled_checks_in_a_plane_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { SP_FUZZ_RUBBLE, 10, 2, 0, 0, COUPLED, -0.1, { 20, 36, 26, 0, 1102618, 10361216,
+          { 3.3268186e-16, 0, 43680.491, 0.00091802086, 0 } } },
+        { SP_FUZZ_ARCH, 0, 2, 0, 0, COUPLED, -0.1, { 20, 50, 40, 0, 1285152, 10203024,
+          { 3.9190946e-16, 0, 116910.14, 0.0042205529, 0 } } },
+        { SP_FUZZ_RUBBLE, 2, 2, 1, 0, COUPLED, -0.2, { 20, 39, 29, 0, 1127706, 210576,
+          { 7.8110621e-16, 0, 61658.882, 0.0021075757, 0 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_coupled_checks_of_other_lengths_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 480, 6, 0, 0, COUPLED_TIGHT, 0, { 420, 166, 127, 0, 951189, 21374320,
+          { 2.6027984, 0.3334596, 409794.13, 0.0018513434, 46967.638 } } },
+        { SP_FUZZ_STACK, 3, 6, 0, 0, COUPLED_WIDE, 0.2, { 150, 94, 79, 0, 2894127, 47759504,
+          { 0.15107278, 0.013678101, 268250.58, 0.16401406, 40719.786 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_coupled_checks_without_nodes_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 100, 10, 1, 0, COUPLED_IN_8, 0, { 820, 456, 365, 6, 3016604, 281360,
+          { 6.1711671, 0.95768067, 500035.6, 0.033996007, 169663.69 } } },
+        { SP_FUZZ_RUBBLE, 3, 2, 1, 0, COUPLED_IN_8, 0.1, { 20, 42, 32, 0, 2898393, 193040,
+          { 1.017114e-15, 0, 61885.328, 0.0015695245, 0 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_coupled_boxes_and_rounds_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 500, 4, 0, 0, COUPLED_BOX, 0, { 400, 3374, 3313, 0, 7576724, 22232800,
+          { 1.9732925, 0.33325219, 361778.54, 0.015766876, 142471.18 } } },
+        { BYTES, 510, 3, 1, 0, ROUNDS, 0, { 210, 21435, 20975, 0, 98406426, 20188048,
+          { 1.5589885, 0.35784838, 145982.04, 0.013029143, 80058.061 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_alternations_of_stacks_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { SP_FUZZ_STACK, 0, 4, 1, 0, SEEDED, 0.1, { 2020, 1190, 215, 0, 28655170, 718432,
+          { 4.3697429e-07, 0, 218148.38, 0.0047114597, 9088.9795 } } },
+        { SP_FUZZ_STACK, 6, 2, 0, 0, SEEDED, 0.2, { 1010, 872, 1787, 0, 66073825, 241808,
+          { 0.1530047, 0, 121765.8, 0.019834153, 40719.786 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_alternations_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 40, 4, 0, 0, SEEDED, 0, { 1030, 65, 719, 0, 9194458, 249888,
+          { 0.380899, 0, 134106.63, 0.003453871, 7895.2515 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_limits_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { SP_FUZZ_STACK, 0, 10, 1, 0, PLANNED, 0, { 100, 95, 75, 74, 4069192, 625280,
+          { 3.2346866, 3.2346867, 0, 1.9728158e-07, 1.5002531e-08 } } },
+        { SP_FUZZ_STACK, 14, 6, 0, 0, IN_8, 0, { 240, 63, 51, 46, 2822252, 379248,
+          { -0.61144592, 1.3885541, -1.6863065, 9.379087e-08, 0.00054246137 } } },
+        { BYTES, 520, 24, 0, 0, PLANNED, 1, { 1860, 151, 119, 112, 6659010, 636832,
+          { -15.313617, 2.6863828, -18, 1.185693e-07, 1.5604305 } } },
+        { BYTES, 550, 24, 1, 0, IN_8, 1, { 1311, 495, 450, 166, 20636749, 803920,
+          { -10.418715, 2.5812858, -13, 7.4662333e-07, 0.60797709 } } }
+    };
+    COMPARE(rows, limit_it);
+}
+
+TEST(drawn_limits_of_families_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { SP_FUZZ_RUBBLE, 0, 3, 0, 0, PLANNED, 0, { 30, 40, 34, 27, 7935229, 286432,
+          { 1.3477561, 1.3477562, 0, 9.9534745e-08, 4.4999999e-09 } } },
+        { SP_FUZZ_ARCH, 0, 3, 1, 0, PLANNED, 0, { 30, 38, 32, 29, 3609542, 259584,
+          { 1.0613649, 1.061365, 0, 1.1691454e-07, 4.4999999e-09 } } },
+        { SP_FUZZ_RUBBLE, 6, 2, 1, 0, IN_SPACE, 0, { 20, 24, 20, 15, 3810294, 181520,
+          { 0.59001046, 0.59001048, 0, 3.303777e-08, 3e-09 } } },
+        { SP_FUZZ_WALL, 0, 2, 0, 0, PLANNED, -1, { 20, 27, 23, 17, 1191886, 143440,
+          { 1.0421775, 1.0421775, 0, 2.7790814e-08, 3.0052769e-09 } } }
+    };
+    COMPARE(rows, limit_it);
+}
+
+TEST(drawn_limits_of_joints_with_strength_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { SP_FUZZ_STACK, 8, 6, 1, 3, PLANNED, 0, { 60, 191, 167, 4, 8208496, 394272,
+          { 2.509689, 2.5096892, 0, 2.198833e-07, 1.0444338e-08 } } },
+        { SP_FUZZ_STACK, 15, 4, 0, 7, IN_SPACE, 0, { 40, 204, 184, 0, 9727921, 244064,
+          { 1.551716, 1.5517161, 0.17886767, 9.7410528e-08, 5.9999999e-09 } } },
+        { BYTES, 600, 20, 1, 5, PLANNED, 1, { 1100, 453, 379, 0, 16472292, 591392,
+          { 0.74339382, 10.743394, -9.0622776, 2.9529979e-07, 0.89541707 } } },
+        { BYTES, 620, 20, 0, 6, PLANNED, 1, { 1460, 633, 549, 75, 21515200, 479264,
+          { -10.865957, 3.1340436, -13.423788, 1.589241e-07, 2.2875167 } } },
+        { SP_FUZZ_ARCH, 0, 2, 0, 7, PLANNED, -1, { 20, 108, 100, 0, 4600308, 158176,
+          { 5.760212, 5.7602123, 0, 4.7063037e-07, 3e-09 } } }
+    };
+    COMPARE(rows, limit_it);
+}
+
+TEST(drawn_strong_verdicts_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { SP_FUZZ_STACK, 0, 6, 1, 0, 0, 0.1, { 60000, 0, 0, 0, 460440, 65665392,
+          { 0, 0, 5.9999985, 262286.2, 0 } } },
+        { BYTES, 640, 10, 0, 0, 0, 0, { 40105, 0, 0, 0, 2843180, 151505200,
+          { 2.1730509e-13, 0.024800341, 0, 375016.52, 0.38113105 } } },
+        { BYTES, 660, 8, 1, 0, 1, 0, { 40004, 0, 0, 0, 339120, 110159264,
+          { 8.9215477e-16, 0, 0, 211343.19, 0 } } }
+    };
+    COMPARE(rows, strong_of);
+}
+
+TEST(drawn_sliding_limits_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { SP_FUZZ_RUBBLE, 0, 3, 0, 0, 0, -1, { 30, 0, 0, 0, 46967108, 884328,
+          { 0, 0, 2.7896751, 149782.53, 4.1776406 } } },
+        { SP_FUZZ_ARCH, 0, 2, 0, 0, 0, -1, { 20, 0, 0, 0, 7621576, 441264,
+          { 0, 0, 1.8201196, 126139.01, 2.0170302 } } },
+        { SP_FUZZ_WALL, 5, 1, 0, 0, 0, -1, { 10, 0, 0, 0, 9606970, 214400,
+          { 0, 0, 1, 430801.01, 2.2605492 } } }
+    };
+    COMPARE(rows, slide_it);
+}
+
+TEST(drawn_sliding_limits_with_more_histories_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { SP_FUZZ_RUBBLE, 10, 1, 1, 0, 1, -1, { 10, 0, 0, 0, 112106352, 431168,
+          { 5.1417384e-16, 5.1417384e-16, 0.89301136, 35629.728, 0.81439681 } } }
+    };
+    COMPARE(rows, slide_it);
+}
+
+TEST(drawn_contacts_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 800, 60, 0, 0, 0, 0, { 0, 212, 848, 141, 0, 0,
+          { 156.05034, 1497, 27694.605, 62.53931, 16588 } } },
+        { BYTES, 900, 60, 1, 0, 0, 0, { 0, 198, 792, 120, 0, 0,
+          { 135.61803, 1065.6, 22863.249, 54.365929, 11369 } } },
+        { BYTES, 1000, 40, 1, 0, 1, 0, { 0, 142, 568, 87, 0, 0,
+          { 102.72837, 661.06667, 14908.459, 38.787444, 9417 } } },
+        { BYTES, 1100, 40, 0, 0, 2, 0, { 0, 129, 516, 83, 0, 0,
+          { 89.282755, 870, 13554.593, 33.865523, 7262 } } },
+        { SP_FUZZ_RUBBLE, 100, 12, 1, 0, 0, 0, { 0, 239, 956, 0, 0, 0,
+          { 72.264767, 6167.7333, 253907.11, 0, 0 } } },
+        { SP_FUZZ_WALL, 100, 8, 1, 0, 0, 0, { 0, 225, 900, 0, 0, 0,
+          { 257, 8527.3333, 1002538.7, 0, 0 } } },
+        { SP_FUZZ_ARCH, 100, 8, 1, 0, 1, 0, { 0, 88, 352, 0, 0, 0,
+          { 31.705597, 255.42694, 47551.311, 0, 0 } } },
+        { SP_FUZZ_STACK, 100, 16, 1, 0, 2, 0, { 0, 75, 300, 0, 0, 0,
+          { 37.907467, 609.26667, 23346.289, 0, 0 } } }
+    };
+    COMPARE(rows, touch_it);
+}
+
+TEST(drawn_buildings_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { SP_FUZZ_STACK, 0, 10, 1, 0, 0, 0.1, { 830, 72, 15, 0, 734253, 611104,
+          { 2.5974609e-14, 0, 968873.61, 0, -82028570 } } },
+        { SP_FUZZ_STACK, 16, 10, 1, 0, 1, 0.1, { 5500, 295, 105, 0, 3239870, 611296,
+          { 50.228272, 25.05082, 573048.15, 64.406686, 1.094797e+08 } } },
+        { SP_FUZZ_RUBBLE, 0, 4, 0, 0, 0, 0.1, { 650, 247, 183, 2, 7803594, 342768,
+          { 9.9427518e-14, 0, 794220.14, 0, -64126709 } } },
+        { SP_FUZZ_RUBBLE, 5, 4, 1, 0, 1, 0.3, { 1470, 583, 445, 5, 16864196, 380160,
+          { 7.5914039, 3.7021077, 1820826.8, 29.700243, -2887726 } } },
+        { SP_FUZZ_WALL, 0, 4, 0, 0, 1, 0.2, { 2000, 778, 617, 17, 22842972, 316384,
+          { 8.7502927, 3.0911751, 6670496.5, 31.142319, 66904847 } } },
+        { BYTES, 700, 30, 1, 0, 0, 0, { 7020, 629, 300, 18, 4196283, 901648,
+          { 36.181387, 9.5375792, 5810155.8, 75.020735, -29276214 } } },
+        { BYTES, 730, 30, 0, 0, 1, 0, { 10700, 741, 382, 22, 4928161, 821056,
+          { 89.202976, 31.721544, 3608386.5, 129.99167, 1.1947538e+08 } } },
+        { SP_FUZZ_ARCH, 0, 2, 1, 0, 1, 0.1, { 3300, 964, 729, 21, 13499343, 158944,
+          { 32.629379, 13.674965, 2922176.1, 53.479775, 1.3848439e+08 } } }
+    };
+    COMPARE(rows, build_it);
+}
+
+/* What memory held before: as it comes of the test before, then nothing, ones, a third of anything. */
+static void paint(int with)
+{
+    static const int byte[3] = { 0, 255, 0x3d };
+    memset(test_arena.base, byte[with], test_arena.capacity < (1 << 21) ? test_arena.capacity : 1 << 21);
+}
+
+static int same(const sum *x, const sum *y)
+{
+    return x->kind == y->kind && x->cost.flops == y->cost.flops && x->cost.iterations == y->cost.iterations && x->bytes == y->bytes
+        && !memcmp(x->found, y->found, sizeof x->found);
+}
+
+TEST(no_answer_depends_on_what_memory_held)
+{
+    static const struct { question *ask; drawn of; } rows[] = {
+        { check_it, { BYTES, 1200, 4, 1, 0, PLANNED, 0, { 0 } } },
+        { check_it, { BYTES, 1210, 3, 0, 7, IN_8, 0.2, { 0 } } },
+        { check_it, { BYTES, 1220, 2, 1, 0, COUPLED, 0, { 0 } } },
+        { check_it, { SP_FUZZ_STACK, 50, 2, 1, 0, SEEDED, 0.1, { 0 } } },
+        { limit_it, { BYTES, 1230, 3, 1, 0, PLANNED, 1, { 0 } } },
+        { limit_it, { BYTES, 1240, 3, 1, 7, PLANNED, 1, { 0 } } },
+        { strong_of, { BYTES, 1250, 3, 0, 0, 0, 0, { 0 } } },
+        { slide_it, { SP_FUZZ_RUBBLE, 10, 2, 1, 0, 0, -1, { 0 } } },             /* a history that never settled had no motion */
+        { build_it, { BYTES, 1260, 4, 1, 0, 0, 0, { 0 } } },
+        { touch_it, { BYTES, 1270, 4, 1, 0, 0, 0, { 0 } } }
+    };
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+        for (int i = 0; i < rows[k].of.count; i++) {
+            sum t[3];
+            memset(t, 0, sizeof t);
+            for (int with = 0; with < 3; with++) {
+                paint(with);
+                const sp_scene s = drawn_scene(&rows[k].of, i);
+                rows[k].ask(&rows[k].of, &s, &t[with]);
+            }
+            CHECK(same(&t[0], &t[1]) && same(&t[0], &t[2]));
+        }
+}
+#endif
+
+TEST_LIST(drawn)
+#if defined TALLY_ALL && defined TALLY_COUNTED
+    RUN(drawn_checks_take_the_work_written_here)
+    RUN(drawn_checks_of_families_take_the_work_written_here)
+    RUN(drawn_checks_with_strength_take_the_work_written_here)
+    RUN(drawn_checks_by_stages_take_the_work_written_here)
+    RUN(drawn_checks_by_programs_take_the_work_written_here)
+    RUN(drawn_coupled_checks_take_the_work_written_here)
+    RUN(drawn_coupled_checks_in_space_take_the_work_written_here)
+    RUN(drawn_coupled_checks_in_a_plane_take_the_work_written_here)
+    RUN(drawn_coupled_checks_of_other_lengths_take_the_work_written_here)
+    RUN(drawn_coupled_checks_without_nodes_take_the_work_written_here)
+    RUN(drawn_coupled_boxes_and_rounds_take_the_work_written_here)
+    RUN(drawn_alternations_of_stacks_take_the_work_written_here)
+    RUN(drawn_alternations_take_the_work_written_here)
+    RUN(drawn_limits_take_the_work_written_here)
+    RUN(drawn_limits_of_families_take_the_work_written_here)
+    RUN(drawn_limits_of_joints_with_strength_take_the_work_written_here)
+    RUN(drawn_strong_verdicts_take_the_work_written_here)
+    RUN(drawn_sliding_limits_take_the_work_written_here)
+    RUN(drawn_sliding_limits_with_more_histories_take_the_work_written_here)
+    RUN(drawn_contacts_take_the_work_written_here)
+    RUN(drawn_buildings_take_the_work_written_here)
+    RUN(no_answer_depends_on_what_memory_held)
+#endif
+TEST_END
