@@ -1,6 +1,6 @@
-/* Work of drawn scenes: sums over a few of a kind, counted as test_tally.c counts that of scenes with a name. Those stand straight,
- * mostly in a plane, of equal stones; these are frusta anywhere, stacks, walls, rubble and arches, as they are or turned about an
- * axis that is none of the world's, some of them glued or pushed. */
+/* Work of drawn scenes: sums over a few of a kind, counted as test_tally.c counts that of scenes with a name. Those stand
+ * straight, mostly in a plane, of equal stones; these are frusta anywhere, stacks, walls, rubble and arches, as they are or
+ * turned about an axis that is none of the world's, some of them glued or pushed. */
 #include "../scenes/tally.h"
 #include "../scenes/change.h"
 #include "../../port/fuzz/bytes.c"
@@ -10,8 +10,9 @@
 
 enum { BYTES = SP_FUZZ_FAMILIES };                      /* any frusta; below that a family */
 
-/* `count` scenes of a kind from seed `first` on. live: push in gravities, of a family, < 0: in its plane, of frusta, too, if not 0; turn: about (2, 3, 4) by 159 degrees; glue as
- * tally_scene. how: as each question takes it. Of `is` kind: answers, 1 the first of its words, 100 the second, and so on. */
+/* `count` scenes of a kind from seed `first` on. turn: about (2, 3, 4) by 159 degrees. glue: as tally_scene. live: push of a
+ * family in gravities, < 0: in its plane; not 0: of frusta, too. how: as each question takes it. Of `is` kind: how many answers
+ * are the first word of their kind, ten times those that are the second, and so on. */
 typedef struct drawn {
     int kind, first, count, turn, glue, how;
     double live;
@@ -29,10 +30,10 @@ typedef struct sum {
 /* Frusta, mostly on each other: bytes of port/fuzz/bytes.c, each between two bounds. */
 static sp_scene any_frusta(uint64_t seed)
 {
-    static const uint8_t stone[10][2] = { { 0, 255 }, { 4, 9 }, { 5, 12 }, { 4, 9 }, { 5, 12 }, { 0, 9 }, { 1, 8 }, { 0, 228 }, { 0, 255 },
-                                          { 0, 203 } };
-    static const uint8_t rest[12][2] = { { 0, 15 }, { 0, 239 }, { 0, 205 }, { 0, 4 }, { 0, 255 }, { 0, 1 }, { 108, 148 }, { 0, 20 }, { 108, 148 },
-                                         { 0, 20 }, { 60, 128 }, { 0, 20 } };
+    static const uint8_t stone[10][2] = { { 0, 255 }, { 4, 9 }, { 5, 12 }, { 4, 9 }, { 5, 12 }, { 0, 9 }, { 1, 8 },
+                                          { 0, 228 }, { 0, 255 }, { 0, 203 } };
+    static const uint8_t rest[12][2] = { { 0, 15 }, { 0, 239 }, { 0, 205 }, { 0, 4 }, { 0, 255 }, { 0, 1 }, { 108, 148 },
+                                         { 0, 20 }, { 108, 148 }, { 0, 20 }, { 60, 128 }, { 0, 20 } };
     uint8_t byte[SP_FUZZ_BYTES] = { 0 };
     size_t n = 1;
     sp_scene s;
@@ -163,8 +164,8 @@ static void strong_of(const drawn *d, const sp_scene *s, sum *t)
     how.starts = 2 + 4 * d->how;
     CHECK_INT(sp_check(s, NULL, &test_arena, &r), SP_OK);
     CHECK_INT(sp_strong(s, NULL, &how, r.f, NULL, &test_arena, &x), SP_OK);
-    const double found[] = { (double)x.residual, (double)x.moves, (double)x.margin, tally_size(x.f, 3 * (size_t)s->count.points),
-                             tally_size(x.a, 6 * (size_t)s->count.blocks) };
+    const double found[] = { (double)x.residual, (double)x.moves, (double)x.margin,
+                             tally_size(x.f, 3 * (size_t)s->count.points), tally_size(x.a, 6 * (size_t)s->count.blocks) };
     add(t, answers((int)x.kind), &x.cost, x.peak_bytes, found);
 }
 
@@ -229,9 +230,9 @@ static sp_scene cut(const sp_scene *s, uint64_t seed, double far)
     CHECK_INT(sp_scene_create(&t, &room, &test_arena), SP_OK);
     for (int32_t k = 0; k < s->count.blocks; k++) {
         const sp_block *b = &s->block[k];
-        const sp_real by[3] = { sp_family_real(&seed, -far, far), sp_family_real(&seed, -far, far), sp_family_real(&seed, -far, far) };
         int32_t size[12], corner[36], n = 0;
-        sp_real xyz[24];
+        sp_real xyz[24], by[3];
+        for (int i = 0; i < 3; i++) by[i] = sp_family_real(&seed, -far, far);
         for (int32_t v = 0; v < 8; v++)
             for (int i = 0; i < 3; i++) xyz[3 * v + i] = s->vertex[b->vertex + v][i] + by[i];
         for (int32_t f = 0; f < 6; f++) {
@@ -593,7 +594,7 @@ TEST(drawn_buildings_take_the_work_written_here)
     COMPARE(rows, build_it);
 }
 
-/* What memory held before: as it comes of the test before, then nothing, ones, a third of anything. */
+/* What memory held before: nothing, no numbers, small numbers. */
 static void paint(int with)
 {
     static const int byte[3] = { 0, 255, 0x3d };
@@ -602,8 +603,8 @@ static void paint(int with)
 
 static int same(const sum *x, const sum *y)
 {
-    return x->kind == y->kind && x->cost.flops == y->cost.flops && x->cost.iterations == y->cost.iterations && x->bytes == y->bytes
-        && !memcmp(x->found, y->found, sizeof x->found);
+    return x->kind == y->kind && x->bytes == y->bytes && x->cost.flops == y->cost.flops
+        && x->cost.iterations == y->cost.iterations && !memcmp(x->found, y->found, sizeof x->found);
 }
 
 TEST(no_answer_depends_on_what_memory_held)
@@ -616,7 +617,7 @@ TEST(no_answer_depends_on_what_memory_held)
         { limit_it, { BYTES, 1230, 3, 1, 0, PLANNED, 1, { 0 } } },
         { limit_it, { BYTES, 1240, 3, 1, 7, PLANNED, 1, { 0 } } },
         { strong_of, { BYTES, 1250, 3, 0, 0, 0, 0, { 0 } } },
-        { slide_it, { SP_FUZZ_RUBBLE, 10, 2, 1, 0, 0, -1, { 0 } } },             /* a history that never settled had no motion */
+        { slide_it, { SP_FUZZ_RUBBLE, 10, 2, 1, 0, 0, -1, { 0 } } },    /* its history never settles: it has no motion */
         { build_it, { BYTES, 1260, 4, 1, 0, 0, 0, { 0 } } },
         { touch_it, { BYTES, 1270, 4, 1, 0, 0, 0, { 0 } } }
     };

@@ -87,15 +87,24 @@ warn_host() {                                           # warn_host COMPILER PRE
     done
 }
 # Parts that can be left out: nothing of them stays behind, and the tests of all others pass without the program.
+left_out() { echo "$out/left_out$(printf %s "$*" | tr -c 'A-Z_' -).o"; }               # left_out FLAGS...: the library without
 without() {                                             # without GONE-REGEX FLAGS...
     wo_gone=$1
     shift
+    wo_object=$(left_out "$@")
     # shellcheck disable=SC2086
-    $CC $base "$@" -Os -c stonepack.c -o $out/without.o && symbols $out/without.o '' || return 1
-    ! nm $out/without.o | grep -E "$wo_gone"
+    $CC $base "$@" -Os -c stonepack.c -o "$wo_object" && symbols "$wo_object" '' || return 1
+    ! nm "$wo_object" | grep -E "$wo_gone"
 }
-tests_without() { tw_suites=$1; shift; tests_of "$tw_suites" stonepack.c -O1 "$CC" "$@"; }       # tests_without "SUITES" FLAGS...
+tests_without() {                                       # tests_without "SUITES" FLAGS...: on what `without` made, if it did
+    tw_suites=$1
+    shift
+    tw_library=$(left_out "$@")
+    if [ ! -f "$tw_library" ]; then tw_library=stonepack.c; fi
+    tests_of "$tw_suites" "$tw_library" -O1 "$CC" "$@"
+}
 check_switches() {
+    rm -f $out/left_out*
     no_qp=$(echo "$wide" | grep -vxE 'qp|proximal|cg|ldl|ruiz')
     no_ipm=$(echo "$wide" | grep -vxE 'limit|bracket|sliding')
     no_plan=$(echo "$wide" | grep -vxE 'plan|map|spared')
@@ -115,7 +124,8 @@ check_switches() {
         'sp_sequence|sp__(polish|penalty|rigid|dense|sparse|yield|chol_|admm|ipm|cra|flat|dual|newton|bchol|order|island|gates)' \
         -DSP_EXACT_ONLY
     part "SP_NO_QP, SP_NO_CRA: both gone" without 'sp_qp|sp__(qp|cra)' -DSP_NO_QP -DSP_NO_CRA
-    for sw in '-DSP_QP_NO_CG' '-DSP_QP_NO_POLISH' -DSP_QP_NO_INTERIOR '-DSP_QP_NO_CG -DSP_QP_NO_POLISH' '-DSP_QP_NO_CG -DSP_QP_NO_POLISH -DSP_QP_NO_INTERIOR -DSP_REAL_FLOAT'; do
+    for sw in '-DSP_QP_ONLY -DSP_QP_NO_CG' '-DSP_QP_ONLY -DSP_QP_NO_POLISH' -DSP_QP_NO_INTERIOR \
+        '-DSP_QP_ONLY -DSP_QP_NO_CG -DSP_QP_NO_POLISH' '-DSP_QP_ONLY -DSP_QP_NO_CG -DSP_QP_NO_POLISH -DSP_QP_NO_INTERIOR -DSP_REAL_FLOAT'; do
         # shellcheck disable=SC2086
         count "tests of quadratic programs, $sw" tests_without 'qp proximal' $sw
     done
