@@ -114,6 +114,123 @@ TEST(every_stage_keeps_to_its_pieces)
         }
 }
 
+/* Small scenes for the other questions, with friction, then glued and crushed; pushed along x, y and z. */
+static const struct { const char *name, *param; double value; } asked[] = {
+    { "two-cubes", "offset", 0.3 }, { "arch", "n", 5 }, { "keystone", "angle", 10 }, { "tower", "n", 3 }, { "rubble", "bricks", 2 }
+};
+enum { ASKED = sizeof asked / sizeof asked[0] };
+
+static void ask(int k, int glued, sp_scene *s)
+{
+    test_arena.used = 0;
+    build(asked[k].name, asked[k].param, asked[k].value, s);
+    for (int i = 0; i < 3; i++) s->body[i] = R(k % 3 == i ? 3 : 0);
+    for (int32_t j = 0; glued && j < s->count.joints; j++) {
+        s->joint[j].strength.cohesion = R(2e4);
+        s->joint[j].strength.tension = R(k % 2 ? 1e4 : 0);
+        s->joint[j].strength.crushing = R(1e6);
+    }
+}
+
+#if !defined SP_NO_IPM && !defined SP_SMALL
+TEST(limits_keep_to_their_pieces)
+{
+    for (int k = 0; k < 2 * ASKED; k++) {
+        sp_scene s;
+        sp_limit_result r;
+        int32_t held = 0;
+        ask(k % ASKED, k / ASKED, &s);
+        memset(&r, 0, sizeof r);
+        CHECK_INT(sp_limit(&s, NULL, &test_arena, &r), SP_OK);
+        whole();
+        CHECK_INT(sp_limit_verify(&s, NULL, &r, test_arena, &held), SP_OK);
+        whole();
+    }
+}
+#endif
+
+#ifndef SP_NO_CRA
+TEST(coupled_checks_keep_to_their_pieces)
+{
+    for (int k = 0; k < ASKED; k++)
+        for (int seed = 0; seed < 2; seed++) {
+            sp_scene s;
+            sp_result r;
+            sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
+#if defined SP_NO_QP || defined SP_NO_ADMM
+            sp_settings set = sp_settings_default();
+#else
+            sp_settings set = seed ? sp_settings_seed() : sp_settings_default();
+#endif
+            ask(k, 0, &s);
+            set.coupled.asked = 1;
+            set.coupled.rounds = 1;
+            set.coupled.nodes = 20;
+            set.budget = 20000000;
+            CHECK_INT(sp_check(&s, &set, &test_arena, &r), SP_OK);
+            whole();
+            CHECK_INT(sp_verify(&s, &set, &r, test_arena, &e), SP_OK);
+            whole();
+        }
+}
+#endif
+
+#ifndef SP_NO_STRONG
+TEST(strong_verdicts_keep_to_their_pieces)
+{
+    for (int k = 0; k < ASKED; k++) {
+        sp_scene s;
+        sp_result r;
+        sp_strong_result x;
+        sp_strong_settings how = sp_strong_settings_default();
+        how.starts = 3;
+        ask(k, 0, &s);
+        CHECK_INT(sp_check(&s, NULL, &test_arena, &r), SP_OK);
+        CHECK_INT(sp_strong(&s, NULL, &how, r.f, NULL, &test_arena, &x), SP_OK);
+        whole();
+    }
+}
+#endif
+
+#if !defined SP_NO_SLIDING && !defined SP_NO_IPM && !defined SP_SMALL
+TEST(sliding_limits_keep_to_their_pieces)
+{
+    for (int k = 0; k < ASKED; k++) {
+        sp_scene s;
+        sp_limit_result limit;
+        sp_sliding_result x;
+        sp_sliding_settings how = sp_sliding_settings_default();
+        how.starts = 2;
+        ask(k, 0, &s);
+        CHECK_INT(sp_limit(&s, NULL, &test_arena, &limit), SP_OK);
+        CHECK_INT(sp_sliding(&s, NULL, &how, &limit, &test_arena, &x), SP_OK);
+        whole();
+    }
+}
+#endif
+
+#ifndef SP_EXACT_ONLY
+TEST(building_up_and_down_keeps_to_its_pieces)
+{
+    for (int k = 0; k < ASKED; k++) {
+        sp_scene s;
+        sp_sequence *q = NULL;
+        sp_step step;
+        sp_held held;
+        sp_suggestion next;
+        ask(k, 0, &s);
+        CHECK_INT(sp_sequence_open(&s, NULL, &test_arena, &q), SP_OK);
+        for (int32_t i = 0; i < 2 * s.count.blocks; i++) {
+            const int32_t b = i % s.count.blocks;
+            CHECK_INT(sp_sequence_set(q, b, i == b ? SP_PRESENT : b % 3 ? SP_HELD : SP_ABSENT, &step), SP_OK);
+            if (step.verdict != SP_STABLE) CHECK_INT(sp_sequence_hold(q, 0, &held), SP_OK);
+            CHECK_INT(sp_sequence_suggest(q, i % 2, 0, &next), SP_OK);
+        }
+        whole();
+    }
+}
+#endif
+
 TEST(refused_checks_keep_to_their_pieces)
 {
     sp_scene s;
@@ -173,6 +290,21 @@ TEST_LIST(fence)
     RUN(a_step_over_the_edge_is_seen)
     RUN(building_and_checking_keep_to_their_pieces)
     RUN(every_stage_keeps_to_its_pieces)
+#if !defined SP_NO_IPM && !defined SP_SMALL
+    RUN(limits_keep_to_their_pieces)
+#endif
+#ifndef SP_NO_CRA
+    RUN(coupled_checks_keep_to_their_pieces)
+#endif
+#ifndef SP_NO_STRONG
+    RUN(strong_verdicts_keep_to_their_pieces)
+#endif
+#if !defined SP_NO_SLIDING && !defined SP_NO_IPM && !defined SP_SMALL
+    RUN(sliding_limits_keep_to_their_pieces)
+#endif
+#ifndef SP_EXACT_ONLY
+    RUN(building_up_and_down_keeps_to_its_pieces)
+#endif
     RUN(refused_checks_keep_to_their_pieces)
     RUN(finding_contacts_keeps_to_its_pieces)
     RUN(matrices_keep_to_their_pieces)

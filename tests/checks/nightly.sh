@@ -66,7 +66,10 @@ if [ -f build/python/made ]; then
 else skip "1,000,000 random towers from Python" python3; fi
 line "all samples, ASan and UBSan" sh "$0" long_san gcc address,undefined
 line "all samples, ASan and UBSan, float" sh "$0" long_san gcc address,undefined -DSP_REAL_FLOAT
-if have clang; then line "all samples, clang's UBSan" sh "$0" long_san clang undefined; else skip "clang's UBSan" clang; fi
+if have clang; then
+    line "all samples, clang's UBSan" sh "$0" long_san clang undefined
+    line "all samples, clang's MSan, memory forgotten before each test" sh "$0" long_san clang memory
+else skip "clang's UBSan and MSan" clang; fi
 if /usr/bin/python3 -c 'import numpy, scipy.optimize' 2> /dev/null; then
     line "300 random scenes against linear programming" /usr/bin/python3 -B tests/oracle/random.py --seed "$(date +%Y%m%d)"
     for kind in strength loads supports masses; do

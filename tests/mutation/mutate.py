@@ -39,10 +39,10 @@ JUDGES = ['moving', 'scale', 'search', 'forces', 'spin', 'leaf', 'corner', 'refu
           'strong', 'shapes', 'spared', 'attack', 'exact', 'coupled', 'strength', 'closed', 'sliding']
 VERIFIES = ['hint', 'verify', 'islands', 'claims', 'arguments', 'exact', 'memory', 'capacity', 'strong']    # of verify alone
 LIMITS = ['ask', 'ends', 'climb', 'moves', 'count', 'limit', 'arguments', 'bracket', 'spent', 'effort', 'sliding']  # of limit alone
-FIRST = ('tally', 'count')      # they count work, which hardly any change leaves as it was
+FIRST = ('tally', 'count', 'drawn')      # they count work, which hardly any change leaves as it was
 NOT_CORE = ('host', 'settle', 'small')          # of the core all other suites are asked, their quick tests
 # What a survivor is asked by once more, fenced.
-WHITE = ['scale', 'search', 'forces', 'spin', 'leaf', 'still', 'shear', 'corner', 'moving']
+WHITE = ['scale', 'search', 'forces', 'spin', 'leaf', 'still', 'shear', 'corner', 'moving', 'fence']
 FLAGS = ['-std=c99', '-ffp-contract=off', '-fno-math-errno']
 
 
