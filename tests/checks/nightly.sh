@@ -113,6 +113,7 @@ if have frama-c; then line "Frama-C Eva: arena, indices, kernels, certificate ch
 else skip "Frama-C Eva" frama-c-base; fi
 line "gcc -fanalyzer, as far as it gets" sh tests/checks/analyze.sh gcc '' -DSP_SMALL -DSP_EXACT_ONLY
 line "builds that leave parts out: every suite" env EVERY=1 ONLY=switches sh tests/checks/check.sh
+line "switches in pairs from the pair and from the package" env EVERY=1 sh tests/checks/switches.sh
 if have qemu-system-arm; then
     line "footprint: every row" sh port/board/footprint.sh --compare whole
     line "boards: all tests on all of them" sh port/board/boards.sh

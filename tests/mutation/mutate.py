@@ -22,7 +22,7 @@ no test noticed. What changes nothing that anyone could see is listed in equival
     --table     adds a row for each folder to a CSV: what, mutants, killed, equivalent, invalid
     --least     exit status 1 where fewer per cent are killed
 """
-import argparse, json, os, random, re, resource, shutil, subprocess, sys, time
+import argparse, hashlib, json, os, re, resource, shutil, subprocess, sys, time
 from concurrent.futures import ThreadPoolExecutor
 
 HERE = 'tests/mutation/'
@@ -112,6 +112,12 @@ def mutants_of(path):
         old = lines[number - 1]
         for kind, a, b, new in changes(code): found.append((path, number, kind, old, old[:a] + new + old[b:]))
     return found
+
+
+def sample(mutants, n, seed):
+    """n of them, by hashes of what they are: a line that is changed, or a mutant that is listed as equivalent, leaves the others."""
+    name = lambda m: hashlib.sha256(('%d %s %s' % (seed, m[0], m[4].strip())).encode()).digest()
+    return sorted(mutants, key=name)[:n]
 
 
 def equivalents():
@@ -395,7 +401,7 @@ def main():
     for file, text in known - used:
         if file in files and not args.line: print('no such mutant, listed as equivalent: %s: %s' % (file, text))
     rest = [m for m in found if (m[0], m[4].strip()) not in known]
-    if args.sample: rest = random.Random(args.seed).sample(rest, min(args.sample, len(rest)))
+    if args.sample: rest = sample(rest, args.sample, args.seed)
     if args.list:
         for m in rest: print('%s:%d: %s: %s' % (m[0], m[1], m[2], m[4].strip()))
         return 0
