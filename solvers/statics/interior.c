@@ -388,6 +388,7 @@ static void sp__ipm_start(sp__system *w, sp__ipm *m)
 SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp_state *state)
 {
     sp_real cones = (sp_real)w->pb->points * (sp_real)(w->law.cone.faces ? w->law.cone.faces : 1);
+    if (w->budget.spent) return 0;                      /* maybe before there were sizes */
     m->idle = 0;
     m->capped = sp__problem_strong(w->pb) ? w->capped : NULL;
     const int most = m->capped && !state->brief ? SP__IPM_PATIENT : SP__IPM_IDLE;

@@ -3,6 +3,10 @@
  * turned about an axis that is none of the world's, some of them glued or pushed. */
 #include "../scenes/tally.h"
 #include "../scenes/change.h"
+#define sp_scene_from_bytes drawn_from_bytes            /* host/test_kit.c holds them, too */
+#define sp_scene_to_bytes drawn_to_bytes
+#define sp_scene_of_family drawn_of_family
+#define sp_scene_at drawn_at
 #include "../../port/fuzz/bytes.c"
 #include "../../port/fuzz/families.c"
 
