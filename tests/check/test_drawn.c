@@ -2,6 +2,8 @@
  * straight, mostly in a plane, of equal stones; these are frusta anywhere, stacks, walls, rubble and arches, as they are or
  * turned about an axis that is none of the world's, some of them glued or pushed. */
 #include "../scenes/tally.h"
+
+#if defined TALLY_ALL && defined TALLY_COUNTED
 #include "../scenes/change.h"
 #define sp_scene_from_bytes drawn_from_bytes            /* host/test_kit.c holds them, too */
 #define sp_scene_to_bytes drawn_to_bytes
@@ -9,8 +11,6 @@
 #define sp_scene_at drawn_at
 #include "../../port/fuzz/bytes.c"
 #include "../../port/fuzz/families.c"
-
-#if defined TALLY_ALL && defined TALLY_COUNTED
 
 enum { BYTES = SP_FUZZ_FAMILIES };                      /* any frusta; below that a family */
 
