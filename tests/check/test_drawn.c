@@ -3,7 +3,7 @@
  * turned about an axis that is none of the world's, some of them glued or pushed. */
 #include "../scenes/tally.h"
 
-#if defined TALLY_ALL && defined TALLY_COUNTED
+#ifdef TALLY_ALL
 #include "../scenes/change.h"
 #define sp_scene_from_bytes drawn_from_bytes            /* host/test_kit.c holds them, too */
 #define sp_scene_to_bytes drawn_to_bytes
@@ -640,7 +640,8 @@ TEST(no_answer_depends_on_what_memory_held)
 #endif
 
 TEST_LIST(drawn)
-#if defined TALLY_ALL && defined TALLY_COUNTED
+#ifdef TALLY_ALL
+#ifdef TALLY_COUNTED
     RUN(drawn_checks_take_the_work_written_here)
     RUN(drawn_checks_of_families_take_the_work_written_here)
     RUN(drawn_checks_with_strength_take_the_work_written_here)
@@ -662,6 +663,7 @@ TEST_LIST(drawn)
     RUN(drawn_sliding_limits_with_more_histories_take_the_work_written_here)
     RUN(drawn_contacts_take_the_work_written_here)
     RUN(drawn_buildings_take_the_work_written_here)
+#endif
     RUN(no_answer_depends_on_what_memory_held)
 #endif
 TEST_END
