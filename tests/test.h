@@ -70,13 +70,13 @@ size_t test_bytes(const sp_scene *scene, sp_memory_for what, const sp_settings *
 
 /* All memory a test has: empty when a test starts. Pass `test_arena` by value for scratch, &test_arena to keep. */
 extern sp_arena test_arena;
+void test_renew(void);                                  /* it is empty again; to MSan nobody has written there yet */
 
 /* How many samples of one claim: a few in daily work and on boards, all of them with LONG=1, as `make check` asks once. */
 extern int test_long;
 #define SOME_OF(all, few) (test_long ? (all) : (few))
 
 /* Numbers without pattern, the same on every machine; seeded anew for every test, the seed is printed on failure. */
-void test_renew(void);                                  /* test_arena is empty again; to MSan nobody has written there yet */
 uint32_t test_random(void);                             /* 0 .. 2^32 - 1                                  [xorshift64*] */
 int32_t  test_random_int(int32_t low, int32_t high);    /* low .. high, both included */
 sp_real  test_random_real(double low, double high);     /* low <= x < high */

@@ -177,7 +177,7 @@ SP__NOINLINE static int sp__push_rest(sp__push *s)
     sp_real lambda;
     int32_t it = 0;
     for (int32_t v = 0; v < w->corners; v++) { s->fn[v] = 1; s->ft[v] = 0; }
-    memset(s->v, 0, (size_t)w->rows * sizeof *s->v);
+    memset(s->v, 0, (size_t)w->rows * sizeof *s->v);    /* of a history that gets no step done, too */
     s->ds = s->lambda = 0;
     for (int k = 0; k < SP__PUSH_REST; k++) {
         memset(s->x, 0, (size_t)w->rows * sizeof *s->x);

@@ -14,9 +14,9 @@
 
 enum { BYTES = SP_FUZZ_FAMILIES };                      /* any frusta; below that a family */
 
-/* `count` scenes of a kind from seed `first` on. turn: about (2, 3, 4) by 159 degrees. glue: as tally_scene. live: push of a
- * family in gravities, < 0: in its plane; not 0: of frusta, too. how: as each question takes it. Of `is` kind: how many answers
- * are the first word of their kind, ten times those that are the second, and so on. */
+/* `count` scenes of a kind from seed `first` on. turn: about (2, 3, 4) by 159 degrees. glue: as tally_scene. live: times it is
+ * pushed sideways by a gravity, a family < 0 in its plane. how: as each question takes it. is.kind: how many answers are the
+ * first word of their kind, and ten times those that are the second, and so on. */
 typedef struct drawn {
     int kind, first, count, turn, glue, how;
     double live;
@@ -68,11 +68,14 @@ static sp_scene drawn_scene(const drawn *d, int k)
     const uint64_t seed = (uint64_t)(d->first + k);
     sp_scene s;
     test_renew();
-    if (d->kind == BYTES) s = any_frusta(seed);
-    else CHECK_INT(sp_scene_of_family((sp_fuzz_family)d->kind, seed, &test_arena, &s), SP_OK);
-    if (d->kind == BYTES && d->live > 0) { s.body[0] = R(6); s.body[1] = R(-8); }
-    if (d->kind < BYTES || d->live > 0) s.live = R(fabs(d->live));
-    if (d->live < 0) s.body[1] = 0;
+    if (d->kind == BYTES) {
+        s = any_frusta(seed);
+        if (d->live > 0) { s.body[0] = R(6); s.body[1] = R(-8); s.live = R(d->live); }
+    } else {
+        CHECK_INT(sp_scene_of_family((sp_fuzz_family)d->kind, seed, &test_arena, &s), SP_OK);
+        s.live = R(fabs(d->live));
+        if (d->live < 0) s.body[1] = 0;
+    }
     if (d->turn) s = turned(&s);
     tally_glue(&s, d->glue);
     test_arena.peak = test_arena.used;
@@ -114,13 +117,13 @@ static void compare(const drawn *rows, size_t n, question *ask)
 /* ----------------------------------------------------------------------------------------------------------------- checks */
 
 enum { PLANNED, IN_SPACE, IN_8, COARSE, LEAST_SQUARES, DENSE, POLISH, BY_ADMM, NET,
-       COUPLED, COUPLED_IN_SPACE, COUPLED_TIGHT, COUPLED_IN_8, COUPLED_WIDE, COUPLED_BOX, ROUNDS, SEEDED };
+       COUPLED, COUPLED_IN_SPACE, COUPLED_TIGHT, NO_NODES_IN_8, COUPLED_RIGID, COUPLED_BOX, ROUNDS, SEEDED };
 
 static sp_settings asked(int how)
 {
     sp_settings set = how == SEEDED ? sp_settings_seed() : sp_settings_default();
     if (how == IN_SPACE || how == COUPLED_IN_SPACE) set.effect[SP_EFFECT_DEPTH] = set.effect[SP_EFFECT_FRICTION] = SP_WITH;
-    if (how == IN_8 || how == COUPLED_IN_8) set.faces = 8;
+    if (how == IN_8 || how == NO_NODES_IN_8) set.faces = 8;
     if (how == COARSE) set.tol = R(1e-4);
     set.localise = 1;
     set.penalty.net = how == NET;
@@ -131,8 +134,8 @@ static sp_settings asked(int how)
     }
     set.coupled.asked = how >= COUPLED;
     if (how == COUPLED_TIGHT) { set.coupled.eps = R(1e-4); set.coupled.eta = R(4e-4); }
-    if (how == COUPLED_WIDE) set.coupled.eps = 0;
-    if (how == COUPLED_IN_8) set.coupled.nodes = 0;
+    if (how == COUPLED_RIGID) set.coupled.eps = 0;
+    if (how == NO_NODES_IN_8) set.coupled.nodes = 0;
     if (how == COUPLED_BOX) set.coupled.box = 1;
     if (how == ROUNDS) set.coupled.rounds = 3;
     return set;
@@ -422,7 +425,7 @@ TEST(drawn_coupled_checks_of_other_lengths_take_the_work_written_here)
     static const drawn rows[] = {
         { BYTES, 480, 6, 0, 0, COUPLED_TIGHT, 0, { 420, 166, 127, 0, 951189, 21374320,
           { 2.6027984, 0.3334596, 409794.13, 0.0018513434, 46967.638 } } },
-        { SP_FUZZ_STACK, 3, 6, 0, 0, COUPLED_WIDE, 0.2, { 150, 94, 79, 0, 2894127, 47759504,
+        { SP_FUZZ_STACK, 3, 6, 0, 0, COUPLED_RIGID, 0.2, { 150, 94, 79, 0, 2894127, 47759504,
           { 0.15107278, 0.013678101, 268250.58, 0.16401406, 40719.786 } } }
     };
     COMPARE(rows, check_it);
@@ -431,9 +434,9 @@ TEST(drawn_coupled_checks_of_other_lengths_take_the_work_written_here)
 TEST(drawn_coupled_checks_without_nodes_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { BYTES, 100, 10, 1, 0, COUPLED_IN_8, 0, { 820, 456, 365, 6, 3016604, 281360,
+        { BYTES, 100, 10, 1, 0, NO_NODES_IN_8, 0, { 820, 456, 365, 6, 3016604, 281360,
           { 6.1711671, 0.95768067, 500035.6, 0.033996007, 169663.69 } } },
-        { SP_FUZZ_RUBBLE, 3, 2, 1, 0, COUPLED_IN_8, 0.1, { 20, 42, 32, 0, 2898393, 193040,
+        { SP_FUZZ_RUBBLE, 3, 2, 1, 0, NO_NODES_IN_8, 0.1, { 20, 42, 32, 0, 2898393, 193040,
           { 1.017114e-15, 0, 61885.328, 0.0015695245, 0 } } }
     };
     COMPARE(rows, check_it);
@@ -641,7 +644,7 @@ TEST(no_answer_depends_on_what_memory_held)
 
 TEST_LIST(drawn)
 #ifdef TALLY_ALL
-#ifdef TALLY_COUNTED
+#if COUNTED
     RUN(drawn_checks_take_the_work_written_here)
     RUN(drawn_checks_of_families_take_the_work_written_here)
     RUN(drawn_checks_with_strength_take_the_work_written_here)

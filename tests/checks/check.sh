@@ -3,8 +3,8 @@
 # run, and `N passed, N failed`.
 #
 #     STRICT=1     what could not be run counts as a failure
-#     EVERY=1      builds that leave parts out meet every suite, not the quick ones; every assembly is asked in weaker forms and
-#                  written otherwise, not every third; as by night
+#     EVERY=1      builds that leave parts out meet every suite, not the quick ones; pairs of switches are compiled from pair and
+#                  package, too; every assembly is asked in weaker forms and written otherwise, not every third; as by night
 #     ONLY=text    only groups whose names contain the text
 #
 # The groups run side by side, one per core, each as a process of its own with ONLY; what they print comes in their order.
@@ -509,7 +509,7 @@ bad_sanitized() {
 # Of all that is computed nothing may depend on what was never written.
 uninitialised() {
     un_suites=$(for un in base scene contacts proof linear cone qp; do ls tests/$un/test_*.c; done | grep -v test_large | sed 's|.*/test_\(.*\)\.c|\1|' | tr '\n' ' ')
-    tests_of "$un_suites drawn" stonepack.c -O1 clang -g -fsanitize=memory -fno-sanitize-recover=all
+    tests_of "$un_suites drawn spent" stonepack.c -O1 clang -g -fsanitize=memory -fno-sanitize-recover=all
 }
 # Two threads, each with its own arena, and two that share the tasks of a factor, under TSan; with one arena for both it must tell of
 # a race.

@@ -94,20 +94,23 @@ static int near_each_other(const double p[6], const double q[6])
     return 1;
 }
 
-/* Pairs whose boxes along the tree's axes are near, and their boxes along x, y, z. */
+/* Pairs whose boxes along x, y, z are near, and those along the tree's axes if it is turned. */
 static int64_t pairs(void)
 {
-    sp_real world[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    sp__tree *tree = &touch.all.tree;
     int64_t n = 0;
     for (int32_t a = 0; a < scene.count.blocks; a++)
         for (int32_t b = a + 1; b < scene.count.blocks; b++) {
             const sp__body *p = &touch.all.body[a], *q = &touch.all.body[b];
-            double x[6], y[6];
             if (!scene.block[a].faces || !scene.block[b].faces) continue;
             if (!sp__boxes_near(p->lo, p->hi, q->lo, q->hi, p->reach + q->reach)) continue;
-            box_of(a, touch.all.tree.turned ? touch.all.tree.axis : world, x);
-            box_of(b, touch.all.tree.turned ? touch.all.tree.axis : world, y);
-            n += !touch.all.tree.turned || near_each_other(x, y);
+            if (tree->turned) {
+                double x[6], y[6];
+                box_of(a, tree->axis, x);
+                box_of(b, tree->axis, y);
+                if (!near_each_other(x, y)) continue;
+            }
+            n++;
         }
     return n;
 }

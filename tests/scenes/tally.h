@@ -10,10 +10,9 @@
 #include <string.h>
 
 #if defined SP_NO_PLAN || defined SP_REAL_MIXED || defined SP_REAL_QUAD || defined SP_REAL_FLOAT || defined SP_NO_IPM
-enum { COUNTED = 0 };
+#define COUNTED 0
 #else
-enum { COUNTED = 1 };
-#define TALLY_COUNTED
+#define COUNTED 1
 #endif
 
 #if !defined SP_NO_IPM && !defined SP_SMALL && !defined SP_NO_CRA && !defined SP_NO_STRONG && !defined SP_NO_SLIDING \
@@ -38,6 +37,7 @@ typedef struct tally {
     double found[TALLY_FOUND];
 } tally;
 
+/* The strength of tally_scene.glue for all joints. */
 static void tally_glue(sp_scene *s, int glue)
 {
     double mass = 0, area = 0;
