@@ -1,6 +1,7 @@
 /* Work of drawn scenes: sums over a few of a kind, counted as test_tally.c counts that of scenes with a name. Those stand
- * straight, mostly in a plane, of equal stones; these are frusta anywhere, stacks, walls, rubble and arches, as they are or
- * turned about an axis that is none of the world's, some of them glued or pushed. */
+ * straight, mostly in a plane, of equal stones; these are frusta anywhere, stones wedged in by triangles, stacks, walls, rubble
+ * and arches, as they are or turned about an axis that is none of the world's, some of them glued, or pushed to a hair from
+ * where they fall. */
 #include "../scenes/tally.h"
 
 #ifdef TALLY_ALL
@@ -12,7 +13,8 @@
 #include "../../port/fuzz/bytes.c"
 #include "../../port/fuzz/families.c"
 
-enum { BYTES = SP_FUZZ_FAMILIES };                      /* any frusta; below that a family */
+/* Any frusta; stones wedged in by triangles, and the same without friction; below these a family. */
+enum { BYTES = SP_FUZZ_FAMILIES, WEDGED, SMOOTH };
 
 /* `count` scenes of a kind from seed `first` on. turn: about (2, 3, 4) by 159 degrees. glue: as tally_scene. live: times it is
  * pushed sideways by a gravity, a family < 0 in its plane. how: as each question takes it. is.kind: how many answers are the
@@ -49,6 +51,40 @@ static sp_scene any_frusta(uint64_t seed)
     return s;
 }
 
+/* One stone or two, 1.3 m from each other, between two triangles or three each of a fixed one, and one between the two. */
+static sp_scene wedged(uint64_t seed, int smooth)
+{
+    static const sp_capacity cap = { 3, 0, 0, 0, 7, 21, 0 };
+    const int stones = sp_family_int(&seed, 1, 2), each = sp_family_int(&seed, 2, 3);
+    const sp_strength strength = sp_strength_friction(R(smooth ? 0 : sp_family_real(&seed, 0.3, 1.5)));
+    sp_scene s;
+    CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+    for (int k = 0; k <= stones; k++) {
+        const sp_real at[3] = { R(k ? 1.3 * (k - 1) : -9), 0, 0 };
+        CHECK_INT(sp_scene_body(&s, R(k ? 125 * k : 1000), at, k ? 0 : SP_FIXED, NULL), SP_OK);
+    }
+    for (int q = 0; q < stones * each + stones - 1; q++) {
+        const int between = q == stones * each, stone = between ? 2 : 1 + q / each;
+        double n[3] = { 1, 0, 0 }, e[2][3] = { { 0, 1, 0 }, { 0, 0, 1 } }, size = 0, across = 0;
+        sp_real xyz[9];
+        for (int k = 0; k < 3 && !between; k++) {
+            n[k] = sp_family_real(&seed, -1, 1) + (k == 2 ? 0.5 : 0);
+            e[0][k] = sp_family_real(&seed, -1, 1);
+        }
+        for (int k = 0; k < 3; k++) { size += n[k] * n[k]; across += n[k] * e[0][k]; }
+        for (int k = 0; k < 3; k++) { e[0][k] -= across / size * n[k]; n[k] /= sqrt(size); }
+        for (int k = 0; k < 3; k++) e[1][k] = n[(k + 1) % 3] * e[0][(k + 2) % 3] - n[(k + 2) % 3] * e[0][(k + 1) % 3];
+        for (int v = 0; v < 3; v++) {                   /* anticlockwise about n, which points from A to the stone */
+            const double a = (v == 0) - (v == 2), b = v == 1 ? 1 : -sp_family_real(&seed, 0.2, 0.8);
+            const double r = sp_family_real(&seed, 0.1, 0.4), along = between ? 0.65 : 1.3 * (stone - 1);
+            for (int k = 0; k < 3; k++)
+                xyz[3 * v + k] = R((k ? 0 : along) - (between ? 0 : 0.5 * n[k]) + r * (a * e[0][k] + b * e[1][k]));
+        }
+        CHECK_INT(sp_scene_joint(&s, between ? 1 : 0, stone, 3, xyz, &strength, NULL), SP_OK);
+    }
+    return s;
+}
+
 static sp_scene turned(const sp_scene *s)
 {
     static const double q[3][3] = { { -20, 4, 22 }, { 20, -10, 20 }, { 10, 28, 4 } };
@@ -68,8 +104,8 @@ static sp_scene drawn_scene(const drawn *d, int k)
     const uint64_t seed = (uint64_t)(d->first + k);
     sp_scene s;
     test_renew();
-    if (d->kind == BYTES) {
-        s = any_frusta(seed);
+    if (d->kind >= BYTES) {
+        s = d->kind == BYTES ? any_frusta(seed) : wedged(seed, d->kind == SMOOTH);
         if (d->live > 0) { s.body[0] = R(6); s.body[1] = R(-8); s.live = R(d->live); }
     } else {
         CHECK_INT(sp_scene_of_family((sp_fuzz_family)d->kind, seed, &test_arena, &s), SP_OK);
@@ -153,6 +189,24 @@ static void check_it(const drawn *d, const sp_scene *s, sum *t)
     add(t, answers(d->how < COUPLED ? (int)r.verdict : (int)r.coupled.verdict), &r.spent.total, r.spent.peak_bytes, found);
 }
 
+/* At loads 1e-3, 1e-5 and 1e-7 within each end of the limit and beyond it. */
+static void near_it(const drawn *d, const sp_scene *s, sum *t)
+{
+    sp_limit_result x;
+    sp_arena mark;
+    CHECK_INT(sp_limit(s, NULL, &test_arena, &x), SP_OK);
+    mark = test_arena;
+    for (int k = 0; k < 12; k++) {
+        static const double gap[6] = { -1e-3, -1e-5, -1e-7, 1e-7, 1e-5, 1e-3 };
+        const double end = k < 6 ? (double)x.upper : (double)x.lowest;
+        sp_scene u = *s;
+        if (!(end > 0 && end < 1e3)) continue;
+        u.live = R(end * (1 + gap[k % 6]));
+        check_it(d, &u, t);
+        test_arena = mark;
+    }
+}
+
 static void limit_it(const drawn *d, const sp_scene *s, sum *t)
 {
     const sp_settings set = asked(d->how);
@@ -225,6 +279,34 @@ static void build_it(const drawn *d, const sp_scene *s, sum *t)
         t->found[4] += next.block;
     }
     t->bytes += test_arena.peak;
+}
+
+/* All at once but every how-th; what must be held; and what more when those are held one after the other. */
+static void hold_it(const drawn *d, const sp_scene *s, sum *t)
+{
+    sp_presence there[MOST];
+    sp_sequence *q;
+    sp_step step;
+    sp_held held;
+    for (int32_t b = 0; b < s->count.blocks; b++) there[b] = d->how && b % d->how == d->how - 1 ? SP_ABSENT : SP_PRESENT;
+    CHECK_INT(sp_sequence_open(s, NULL, &test_arena, &q), SP_OK);
+    CHECK_INT(sp_sequence_fill(q, there, &step), SP_OK);
+    for (int round = 0; round < 3; round++) {
+        double found[TALLY_FOUND] = { 0 };
+        int32_t first = SP_NONE;
+        CHECK_INT(sp_sequence_hold(q, 0, &held), SP_OK);
+        for (int32_t k = 0; k < held.count; k++) {
+            found[0] += held.block[k] + 1;
+            found[1] += held.must[k];
+            if (!k) first = held.block[k];
+        }
+        found[2] = held.count;
+        found[3] = held.checks;
+        found[4] = (double)step.imbalance;
+        add(t, answers((int)held.proof), &held.cost, 0, found);
+        if (first == SP_NONE) return;
+        CHECK_INT(sp_sequence_set(q, first, SP_HELD, &step), SP_OK);
+    }
 }
 
 /* The same blocks, four-sided faces cut into triangles, each moved by up to `far` [m]. */
@@ -473,6 +555,116 @@ TEST(drawn_alternations_take_the_work_written_here)
     COMPARE(rows, check_it);
 }
 
+TEST(drawn_checks_of_wedged_stones_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { WEDGED, 2000, 40, 1, 0, PLANNED, 0, { 1390, 375, 335, 20, 5469010, 319112,
+          { 5.4130163, 0.76539537, 68199.041, 12.435795, 7813.9411 } } },
+        { SMOOTH, 2000, 40, 0, 0, IN_8, 0, { 3370, 879, 839, 11, 11862305, 301040,
+          { 17.316293, 6.1891528, 282818.25, 25.470688, 37195.979 } } },
+        { WEDGED, 2040, 30, 0, 5, PLANNED, 0, { 750, 156, 126, 0, 2100766, 251504,
+          { 1.6658072, 0.24479006, 31987.65, 5.6936491, 4574.1865 } } },
+        { WEDGED, 2070, 30, 1, 7, IN_8, 0, { 300, 74, 44, 0, 1033468, 250128,
+          { 8.3935312e-15, 0, 31064.923, 0, 0 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_checks_near_limits_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 1300, 24, 1, 0, PLANNED, 1, { 4890, 1166, 990, 45, 7091386, 2377344,
+          { 0.13475444, 0.001304323, 4813142.2, 69.722973, 79981.264 } } },
+        { SP_FUZZ_STACK, 110, 8, 0, 0, PLANNED, 1, { 2640, 430, 382, 45, 7673285, 2726880,
+          { 0.12402792, 0.00036204475, 1693221.8, 28.939537, 453.66773 } } },
+        { SP_FUZZ_RUBBLE, 110, 1, 1, 0, PLANNED, 1, { 330, 55, 49, 8, 7196307, 595008,
+          { 0.014197973, 2.716257e-05, 310464.9, 10.321628, 69.924112 } } },
+        { SP_FUZZ_ARCH, 110, 3, 0, 0, PLANNED, -1, { 1170, 260, 229, 46, 9684980, 1411584,
+          { 0.0039292633, 4.9430955e-05, 1047757.3, 18.722173, 1764.0063 } } },
+        { SP_FUZZ_WALL, 110, 2, 0, 0, IN_8, -1, { 1200, 198, 174, 36, 8050816, 1011936,
+          { 3.8803766, 0.11281995, 3617086.9, 20.180643, 71311.345 } } },
+        { WEDGED, 2200, 10, 1, 0, PLANNED, 0.5, { 1320, 504, 473, 136, 13080265, 274080,
+          { 0.87032613, 0.00023277305, 137950.93, 14.696256, 1427.8933 } } },
+        { BYTES, 1370, 10, 0, 0, IN_SPACE, 1, { 1590, 492, 444, 77, 4844387, 638688,
+          { 1.2179124, 0.00021490266, 3293990.1, 21.898766, 1870.928 } } }
+    };
+    COMPARE(rows, near_it);
+}
+
+TEST(drawn_checks_near_limits_of_joints_with_strength_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 1330, 16, 1, 7, PLANNED, 1, { 4191, 993, 858, 104, 15572943, 2571648,
+          { 0.20659328, 0.00099578429, 5656233.1, 68.075904, 21616.642 } } },
+        { SP_FUZZ_STACK, 130, 6, 0, 5, PLANNED, 1, { 1980, 165, 129, 3, 3360530, 1991136,
+          { 0.0017896025, 0.00038551084, 1129730.3, 23.934757, 254.20564 } } },
+        { SP_FUZZ_ARCH, 111, 2, 0, 4, PLANNED, -1, { 660, 173, 152, 20, 5610363, 985248,
+          { 0.0031619469, 4.0988876e-05, 814842.14, 10.109148, 1145.8824 } } },
+        { BYTES, 1350, 12, 0, 6, IN_8, 1, { 3360, 2108, 2018, 0, 34760263, 1390464,
+          { 0.79224515, 0.19638629, 5665875.3, 47.86018, 67869.591 } } }
+    };
+    COMPARE(rows, near_it);
+}
+
+TEST(drawn_coupled_checks_of_wedged_stones_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { WEDGED, 2045, 1, 0, 0, COUPLED, 0, { 10, 1598, 1568, 0, 19565978, 3610352,
+          { 7.6932101e-17, 0, 1769.661, 0.0021157522, 0 } } },
+        { WEDGED, 2124, 1, 0, 0, COUPLED_TIGHT, 0, { 10, 1057, 1032, 0, 7517105, 1085376,
+          { 1.508471e-16, 0, 805.82726, 0.00063059513, 0 } } },
+        { WEDGED, 2132, 1, 1, 0, COUPLED_TIGHT, 0, { 10, 1869, 1841, 0, 10686997, 1085936,
+          { 2.3558904e-16, 0, 951.26267, 0.00037778586, 0 } } },
+        { WEDGED, 2069, 1, 0, 0, COUPLED_TIGHT, 0, { 10, 1675, 1648, 0, 10915267, 3610352,
+          { 1.6581635e-16, 0, 853.29336, 0.00071238594, 0 } } },
+        { WEDGED, 2085, 1, 0, 0, COUPLED_RIGID, 0, { 10, 998, 987, 0, 7449254, 3610352,
+          { 2.9695395e-16, 0, 1114.4939, 0.0015836198, 0 } } },
+        { SMOOTH, 2104, 2, 0, 0, COUPLED, 0, { 20, 16, 6, 0, 126262, 7220704,
+          { 4.0850971e-16, 0, 1120.5729, 0.00013687702, 0 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_rounds_of_wedged_stones_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { WEDGED, 2012, 1, 0, 0, ROUNDS, 0, { 10, 133, 103, 0, 2716637, 1096352,
+          { 3.3758426e-16, 0, 751.10975, 2.9716372e-05, 0 } } },
+        { WEDGED, 2002, 1, 1, 0, ROUNDS, 0, { 10, 101, 224, 0, 5335461, 1096912,
+          { 1.8905076e-14, 0, 1392.555, 0.001472164, 0 } } },
+        { WEDGED, 2119, 1, 0, 0, ROUNDS, 0, { 10, 134, 104, 0, 4706189, 3623056,
+          { 2.0584004e-14, 0, 818.47117, 8.5909993e-05, 0 } } },
+        { WEDGED, 2020, 1, 0, 0, ROUNDS, 0, { 10, 21, 285, 0, 2085024, 3623056,
+          { 3.7829249e-16, 0, 657.7038, 4.8335295e-05, 0 } } },
+        { WEDGED, 2109, 1, 0, 0, ROUNDS, 0, { 10, 18, 174, 0, 2664387, 3623056,
+          { 1.7630533e-16, 0, 632.65007, 3.9058039e-05, 0 } } },
+        { SMOOTH, 2096, 1, 0, 0, ROUNDS, 0, { 10, 52, 103, 0, 4401819, 9909472,
+          { 6.2722718e-16, 0, 2096.1755, 0.00010560545, 0 } } },
+        { SMOOTH, 2134, 1, 1, 0, ROUNDS, 0, { 10, 48, 92, 0, 4121571, 9911120,
+          { 5.9133884e-16, 0, 1943.3258, 0.00014459202, 0 } } },
+        { SMOOTH, 2031, 1, 0, 0, ROUNDS, 0, { 10, 64, 207, 2, 9197987, 9909472,
+          { 2.3750954e-15, 0, 33818.352, 0.0016520363, 0 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(drawn_alternations_of_wedged_stones_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { WEDGED, 2001, 1, 0, 0, SEEDED, 0, { 1000, 36, 348, 0, 1432016, 33360,
+          { 2.4628349e-07, 0, 1089.7908, 0.00047909125, 300.77641 } } },
+        { WEDGED, 2105, 1, 1, 0, SEEDED, 0, { 1000, 38, 262, 0, 1895664, 46752,
+          { 2.2814048e-07, 0, 825.60681, 0.00043863822, 46.57565 } } },
+        { WEDGED, 2109, 1, 0, 0, SEEDED, 0, { 10, 16, 252, 0, 1609320, 45984,
+          { 8.5555655e-17, 0, 633.17207, 3.9058302e-05, 0 } } },
+        { WEDGED, 2149, 1, 0, 0, SEEDED, 0, { 1000, 43, 390, 0, 1857199, 33360,
+          { 2.3264092e-07, 0, 1133.4315, 0.0011048621, 3560.3591 } } },
+        { SMOOTH, 2102, 1, 0, 0, SEEDED, 0, { 10, 13, 1416, 0, 11494833, 98784,
+          { 8.8010538e-17, 0, 1541.8291, 0.00021363252, 0 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
 TEST(drawn_limits_take_the_work_written_here)
 {
     static const drawn rows[] = {
@@ -601,6 +793,23 @@ TEST(drawn_buildings_take_the_work_written_here)
     COMPARE(rows, build_it);
 }
 
+TEST(drawn_sets_that_are_held_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 1400, 30, 1, 0, 0, 0.3, { 72, 650, 486, 34, 6291769, 0,
+          { 323, 80, 83, 193, 27.585681 } } },
+        { SP_FUZZ_STACK, 120, 10, 0, 0, 0, 0.6, { 18, 293, 240, 20, 3487347, 0,
+          { 33, 5, 8, 47, 0.83046253 } } },
+        { SP_FUZZ_RUBBLE, 120, 2, 0, 0, 5, 0.6, { 5, 243, 205, 30, 12466321, 0,
+          { 48, 2, 4, 38, 0.80301492 } } },
+        { SP_FUZZ_WALL, 120, 3, 0, 0, 0, 0.9, { 6, 165, 139, 8, 3084497, 0,
+          { 26, 3, 3, 26, 1.0243933 } } },
+        { SP_FUZZ_ARCH, 120, 1, 0, 0, 6, 0.1, { 3, 93, 71, 0, 747091, 0,
+          { 52, 6, 6, 22, 2.806118 } } }
+    };
+    COMPARE(rows, hold_it);
+}
+
 /* What memory held before: nothing, no numbers, small numbers. */
 static void paint(int with)
 {
@@ -658,6 +867,12 @@ TEST_LIST(drawn)
     RUN(drawn_coupled_boxes_and_rounds_take_the_work_written_here)
     RUN(drawn_alternations_of_stacks_take_the_work_written_here)
     RUN(drawn_alternations_take_the_work_written_here)
+    RUN(drawn_checks_of_wedged_stones_take_the_work_written_here)
+    RUN(drawn_checks_near_limits_take_the_work_written_here)
+    RUN(drawn_checks_near_limits_of_joints_with_strength_take_the_work_written_here)
+    RUN(drawn_coupled_checks_of_wedged_stones_take_the_work_written_here)
+    RUN(drawn_rounds_of_wedged_stones_take_the_work_written_here)
+    RUN(drawn_alternations_of_wedged_stones_take_the_work_written_here)
     RUN(drawn_limits_take_the_work_written_here)
     RUN(drawn_limits_of_families_take_the_work_written_here)
     RUN(drawn_limits_of_joints_with_strength_take_the_work_written_here)
@@ -666,6 +881,7 @@ TEST_LIST(drawn)
     RUN(drawn_sliding_limits_with_more_histories_take_the_work_written_here)
     RUN(drawn_contacts_take_the_work_written_here)
     RUN(drawn_buildings_take_the_work_written_here)
+    RUN(drawn_sets_that_are_held_take_the_work_written_here)
 #endif
     RUN(no_answer_depends_on_what_memory_held)
 #endif
