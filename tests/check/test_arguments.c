@@ -278,7 +278,7 @@ TEST(settings_of_a_coupled_check_and_effects_have_their_limits)
 {
     sp_scene s;
     build("two-cubes", NULL, 0, &s);
-    for (int k = 0; k < 18; k++) {
+    for (int k = 0; k < 20; k++) {
         sp_settings set = sp_settings_default();
         sp_status want = SP_E_RANGE;
         sp_result r;
@@ -293,7 +293,9 @@ TEST(settings_of_a_coupled_check_and_effects_have_their_limits)
         if (k == 8) set.budget = -1;
         if (k == 9) set.iterations = INT32_MIN;
         if (k > 9 && k < 14) { want = SP_E_ARGUMENT; set.effect[k % SP_EFFECTS_FORCED] = (sp_choice)(k % 2 ? -1 : SP_WITHOUT + 1); }
-        if (k > 13) want = SP_OK;
+        if (k > 13 && k < 18) want = SP_OK;
+        if (k == 18) { set.coupled.eps = 0; set.coupled.eta = R(1e30); }
+        if (k == 19) { set.coupled.eps = R(1e30); set.coupled.eta = 1; }
         if (k == 14) { set.coupled.eps = 0; set.coupled.eta = 1; }
         if (k == 15) { set.coupled.eps = R(1e-3); set.coupled.eta = 1; }
         if (k == 16) set.coupled.rounds = 1;

@@ -421,7 +421,37 @@ TEST(islands_are_parts)
     }
 }
 
+/* ------------------------------------------------------------------------------------------------------- sums of loads */
+
+/* A sum q of terms that cancel is none where it is below 16 roundings of them; the moment's are |F| (|x| + |c|) / 4 and the
+ * couple. All in parts of that: force and moment of q, the block's weight.     returns what is left: 1 the moment, 2 both */
+static int left_of(double force, double moment, double weight)
+{
+    const sp_load load = { 0, 0, { 3, 0, 0 }, { 0, R(-1e6), 0 }, { 0, 0, R(2e6) }, 0 };
+    const double noise = 16 * (double)SP_EPSILON, share = 0.5;
+    const sp_real g[3] = { 0, 0, 0 }, own[3] = { 0, R(weight * noise * share * 1e6), 0 };
+    sp_real q[6] = { 0, R(force * noise * share * 1e6), 0, 0, R(moment * noise * share * (1e6 * (3 + 5) / 4 + 2e6)), 0 };
+    sp_block block;
+    memset(&block, 0, sizeof block);
+    block.centroid[1] = 5;
+    block.mass = 1;
+    sp__load_clear_rounding(q, &load, R(share), g, own, &block);
+    return q[1] > 0 ? 2 : q[4] > 0;
+}
+
+TEST(sums_of_loads_are_cleared_of_16_roundings_of_their_terms)
+{
+    CHECK_INT(left_of(0.99, 0.99, 0), 0);
+    CHECK_INT(left_of(0.99, 1.01, 0), 1);
+    CHECK_INT(left_of(1.01, 0.99, 0), 2);
+    CHECK_INT(left_of(0, 0.99, 0), 0);
+    CHECK_INT(left_of(0.5, 1.01, 0), 1);
+    CHECK_INT(left_of(0.9, 0.9, 0.9), 2);               /* it may be the weight that is left */
+    CHECK_INT(left_of(0.9, 0.9, 1.1), 0);
+}
+
 TEST_LIST(part)
+    RUN(sums_of_loads_are_cleared_of_16_roundings_of_their_terms)
     RUN_FULL(problem_of_a_part_is_that_of_a_scene_of_its_own)
     RUN_FULL(bytes_of_a_part_are_what_it_takes)
     RUN_FULL(points_of_a_part_are_written_where_the_scene_has_them)

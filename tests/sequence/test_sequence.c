@@ -446,6 +446,49 @@ TEST(no_block_of_a_large_held_set_can_be_let_go)
     CHECK_INT(asked, SOME_OF(6, 3));
 }
 
+/* A body on another one, from x0 to x1 [m] on its upper side z, one metre wide about y. */
+static void lay(sp_scene *s, int32_t on, double x0, double x1, double y, double z, double middle, double mass)
+{
+    const sp_strength strength = sp_strength_friction(R(0.7));
+    const sp_real at[3] = { R(middle), R(y), R(z + 0.25) };
+    const sp_real foot[12] = { R(x0), R(y - 0.5), R(z), R(x1), R(y - 0.5), R(z), R(x1), R(y + 0.5), R(z), R(x0), R(y + 0.5), R(z) };
+    int32_t id;
+    CHECK_INT(sp_scene_body(s, R(mass), at, 0, &id), SP_OK);
+    CHECK_INT(sp_scene_joint(s, on, id, 4, foot, &strength, NULL), SP_OK);
+}
+
+/* Nine blocks or more on one slab that ends at x = 0. A stone juts out and stands, and so does one on it, but not both: it is
+ * enough to hold either of a pair. */
+TEST(of_every_pair_that_tips_together_one_is_held)
+{
+    const sp_capacity cap = { 12, 0, 0, 0, 11, 44, 0 };
+    const sp_real ground[3] = { -9, 0, -2 };
+    for (int pairs = 1; pairs < 4; pairs++) {
+        sp_presence all[12];
+        sp_sequence *q;
+        sp_scene s;
+        sp_step step;
+        sp_held held;
+        test_arena.used = 0;
+        CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+        CHECK_INT(sp_scene_body(&s, 1, ground, SP_FIXED, NULL), SP_OK);
+        lay(&s, 0, -9, 0, 0, 0, -4.5, 1e5);
+        for (int k = 0; k < pairs; k++) {
+            lay(&s, 1, -1.1, 0, 2 * k, 0.5, -0.1, 2000);
+            lay(&s, 2 + 2 * k, 0.2, 0.9, 2 * k, 1, 0.7, 1000);
+        }
+        while (s.count.blocks < 12) lay(&s, 1, -6, -5, s.count.blocks, 0.5, -5.5, 1000);
+        for (int b = 0; b < 12; b++) all[b] = SP_PRESENT;
+        NEED(sp_sequence_open(&s, NULL, &test_arena, &q) == SP_OK);
+        CHECK_INT(sp_sequence_fill(q, all, &step), SP_OK);
+        CHECK_INT(step.verdict, SP_UNSTABLE);
+        CHECK_INT(sp_sequence_hold(q, 0, &held), SP_OK);
+        CHECK_INT(held.count, pairs);
+        CHECK_TEXT(sp_held_proof_text(held.proof), pairs < 3 ? "minimal" : "irreducible");
+        for (int k = 0; k < held.count; k++) CHECK_INT(held.must[k], 0);
+    }
+}
+
 /* Checks that may not do any work show nothing: what is held is enough, and of no block it is said that it would fall. */
 TEST(what_is_undecided_proves_no_held_set_minimal)
 {
@@ -698,6 +741,7 @@ TEST_LIST(sequence)
     RUN(an_arch_without_centring_falls_until_it_is_closed)
     RUN_FULL(held_sets_are_as_small_as_a_search_of_all_sets_finds)
     RUN(no_block_of_a_large_held_set_can_be_let_go)
+    RUN_FULL(of_every_pair_that_tips_together_one_is_held)
     RUN_FULL(what_is_undecided_proves_no_held_set_minimal)
     RUN(a_suggested_stone_keeps_everything_standing)
     RUN(asking_changes_nothing)
