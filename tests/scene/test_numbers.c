@@ -315,6 +315,24 @@ TEST(a_laid_stone_is_made_of_numbers_in_their_ranges)
     CHECK_INT(why, SP_NBO_ACCEPTED);
 }
 
+/* Points far from each other, on both sides of the centroids: only the squares of their places in the contact overflow. */
+TEST(a_problem_whose_squares_are_no_numbers_is_refused)
+{
+    const sp_capacity cap = { 2, 0, 0, 0, 1, 2, 0 };
+    const sp_real low[3] = { 0, 0, -1 }, high[3] = { 0, 0, 1 }, n[3] = { 0, 0, 1 };
+    const sp_strength friction = sp_strength_friction(R(0.5));
+    for (int over = 0; over < 2; over++) {
+        const sp_real far = R(over ? TOL(1e160, 1e25) : TOL(1e140, 1e15)), xyz[6] = { far, 0, 0, -far, 0, 0 };
+        sp_problem pb;
+        sp_scene s;
+        test_arena.used = 0;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        NEED(sp_scene_body(&s, 1, low, SP_FIXED, NULL) == SP_OK && sp_scene_body(&s, 1, high, 0, NULL) == SP_OK);
+        NEED(sp_scene_points(&s, 0, 1, n, 2, xyz, &friction, NULL) == SP_OK);
+        CHECK_INT(sp_problem_build(&s, &test_arena, &pb), over ? SP_E_NOT_FINITE : SP_OK);
+    }
+}
+
 TEST_LIST(numbers)
     RUN(joints_are_between_blocks_that_exist_and_made_of_numbers)
     RUN(loads_are_on_blocks_that_exist_and_made_of_numbers)
@@ -326,5 +344,6 @@ TEST_LIST(numbers)
     RUN(a_seat_is_weighed_by_numbers_in_their_ranges)
     RUN(seats_are_ordered_by_margin_then_cost)
     RUN(resting_faces_are_asked_with_all_their_arguments)
+    RUN(a_problem_whose_squares_are_no_numbers_is_refused)
     RUN(a_laid_stone_is_made_of_numbers_in_their_ranges)
 TEST_END
