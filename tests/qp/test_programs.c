@@ -1,0 +1,1025 @@
+/* Work of drawn programs: sums over a few of a kind, counted as test_steps.c counts those of one size that are all well. These
+ * have rows that say the same, rows and columns of any scale, bounds on either side or none, columns without entries, a flat P
+ * or none, no solution, or a bottomless one; they are asked by every setting that takes another way, with too little to spend,
+ * from guesses, and again after changes. */
+#include "../scenes/tally.h"
+
+#if defined TALLY_ALL && COUNTED
+enum { N = 12, M = 14 };
+
+/* P: positive, of low rank, none, diagonal. Bits: no solution, no bottom, many equations, a P that falls along some line. */
+enum { ROUND, FLAT, LINEAR, DIAGONAL, SHAPE = 3, EMPTY = 4, DEEP = 8, TIED = 16, SADDLE = 32 };
+
+typedef enum how {
+    USUAL, ADMM, INTERIOR, DENSE, DENSE_ADMM, BY_CG, PLAIN, PLAIN_ADMM, LOOSE, TIGHT, RESIDUALS, UNSCALED, ONE_PASS, FIXED_RHO,
+    OFTEN, RELAXED, EACH_STEP, CG_SHORT, DYKSTRA, HOWS
+} how;
+
+typedef struct program {
+    sp_qp qp;
+    int32_t Pp[N + 1], Pi[N * N], Ap[N + 1], Ai[N * M];
+    sp_real Px[N * N], Ax[N * M], q[N], l[M], u[M], x[N], y[M];
+} program;
+
+/* A program before it is written by columns. */
+typedef struct dense { int n, m; double P[N][N], A[M][N], q[N], l[M], u[M], x[N], y[M]; } dense;
+
+/* `count` programs of a kind from number `first` on, rows and columns by up to 10^-spread .. 10^spread. is.kind: how many ended
+ * solved, and ten times those inaccurate, and so on. */
+typedef struct drawn { int kind, first, count, spread, how; tally is; } drawn;
+
+typedef struct sum { int kind; sp_cost cost; size_t bytes; double found[TALLY_FOUND]; } sum;
+
+static program p;
+static uint32_t draws;
+
+static double any(double low, double high) { return test_draw(&draws, low, high); }
+static int chance(double of) { return any(0, 1) < of; }
+
+/* 10^low .. 10^high, by products alone: the same on every machine. */
+static double tens(int low, int high)
+{
+    const int k = (int)any(low, high + 1);
+    double x = any(0.5, 5);
+    for (int i = 0; i < k; i++) x *= 10;
+    for (int i = 0; i > k; i--) x /= 10;
+    return x;
+}
+
+static double scale(int spread) { return spread && chance(0.5) ? tens(-spread, spread) : 1; }
+
+/* A row of numbers, or an earlier one times some number. */
+static void draw_row(dense *d, int i, double full)
+{
+    const int from = chance(0.15) ? (int)any(0, i) : i;
+    const double times = any(-2, 2);
+    for (int j = 0; j < d->n; j++) d->A[i][j] = from < i ? times * d->A[from][j] : chance(full) ? any(-1, 1) : 0;
+}
+
+/* Bounds about z = a x: an equation, none, one, two, near or far; the multiplier y of one that is met. */
+static void draw_bounds(dense *d, int i, int kind)
+{
+    const double what = any(0, 1), below = chance(0.4) ? 0 : any(0, 2), above = chance(0.4) ? 0 : any(0, 2);
+    const int equation = what < (kind & TIED ? 0.5 : 0.15), l = what < 0.65, u = what < 0.4 || (what > 0.65 && what < 0.9);
+    double z = 0;
+    for (int j = 0; j < d->n; j++) z += d->A[i][j] * d->x[j];
+    d->l[i] = equation ? z : l ? z - below : -1e30;
+    d->u[i] = equation ? z : u ? z + above + (l && below <= 0 && above <= 0 ? 0.5 : 0) : 1e30;
+    d->y[i] = chance(0.3) ? 0 : any(0, 1);
+    if (equation) d->y[i] = 2 * d->y[i] - 1;
+    else if (l && below <= 0) d->y[i] = -d->y[i];
+    else if (!u || above > 0 || l) d->y[i] = 0;
+}
+
+/* P = G G' of some rank. */
+static void draw_P(dense *d, int kind)
+{
+    const int shape = kind & SHAPE, n = d->n, rank = shape == LINEAR ? 0 : shape == FLAT ? (n + 1) / 3 : n;
+    const double full = any(0.2, 1);
+    for (int r = 0; r < rank; r++) {
+        double g[N];
+        for (int j = 0; j < n; j++)
+            g[j] = shape == DIAGONAL ? (j == r) * any(0.3, 1.5) : chance(full) || j == r ? any(-1, 1) : 0;
+        for (int i = 0; i < n; i++) for (int j = 0; j < n; j++) d->P[i][j] += g[i] * g[j];
+    }
+    for (int j = 0; j < n; j++) if (shape == ROUND) d->P[j][j] += 0.1;
+    if (!(kind & SADDLE)) return;
+    const double by = tens(-11, 0);
+    double g[N];
+    for (int j = 0; j < n; j++) g[j] = shape == DIAGONAL ? j == n / 8 : any(-1, 1);
+    for (int i = 0; i < n; i++) for (int j = 0; j < n; j++) d->P[i][j] -= by * g[i] * g[j];
+}
+
+/* The last row is against the sum of two others, by a hair or more. */
+static void draw_empty(dense *d)
+{
+    const int m = d->m - 1, a = (int)any(0, m), b = (int)any(0, m);
+    for (int j = 0; j < d->n; j++) d->A[m][j] = d->A[a][j] + d->A[b][j];
+    d->u[a] = fmin(d->u[a], 5);
+    d->u[b] = fmin(d->u[b], 5);
+    d->l[m] = d->u[a] + d->u[b] + tens(-3, 0);
+    d->u[m] = 1e30;
+}
+
+/* Down for ever along x: nothing is in the way. */
+static void draw_deep(dense *d)
+{
+    double size = 0, along = 0, down = 0;
+    for (int j = 0; j < d->n; j++) { size += d->x[j] * d->x[j]; down += d->q[j] * d->x[j]; }
+    for (int i = 0; i < d->m; i++) {
+        along = 0;
+        for (int j = 0; j < d->n; j++) along += d->A[i][j] * d->x[j];
+        if (along > 0) { d->l[i] = fmin(d->l[i], 1e10); d->u[i] = 1e30; }
+        else d->l[i] = -1e30;
+    }
+    for (int j = 0; j < d->n; j++) d->q[j] -= (down + any(0.01, 1)) / size * d->x[j];
+    for (int k = 0; k < 2; k++)                         /* P <- (I - x x' / |x|^2) P, then its transpose */
+        for (int i = 0; i < d->n; i++) {
+            double Px = 0;
+            for (int j = 0; j < d->n; j++) Px += (k ? d->P[j][i] : d->P[i][j]) * d->x[j];
+            for (int j = 0; j < d->n; j++) *(k ? &d->P[j][i] : &d->P[i][j]) -= Px / size * d->x[j];
+        }
+}
+
+/* Rows and columns by their scales; q so that x, y is a solution, but where there is none. */
+static void draw_rest(dense *d, int kind, int spread)
+{
+    double by[N];
+    for (int j = 0; j < d->n; j++) by[j] = scale(spread);
+    for (int j = 0; j < d->n; j++) {
+        for (int i = 0; i < d->n; i++) d->q[j] -= d->P[i][j] * d->x[i];
+        for (int i = 0; i < d->m; i++) d->q[j] -= d->A[i][j] * d->y[i];
+    }
+    if (kind & EMPTY && d->m > 2) draw_empty(d);
+    if (kind & DEEP) draw_deep(d);
+    for (int i = 0; i < d->m; i++) {
+        const double row = scale(spread > 6 ? 3 : spread); /* bounds stay below 1e20 */
+        for (int j = 0; j < d->n; j++) d->A[i][j] *= row * by[j];
+        if (d->l[i] > -1e29) d->l[i] *= row;
+        if (d->u[i] < 1e29) d->u[i] *= row;
+        d->y[i] /= row;
+    }
+    for (int j = 0; j < d->n; j++) {
+        for (int i = 0; i < d->n; i++) d->P[i][j] *= by[i] * by[j];
+        d->q[j] *= by[j];
+        d->x[j] /= by[j];
+    }
+}
+
+static int there(double x) { return x > 0 || x < 0; }
+
+/* By columns; an entry of P that is 0 is written now and then. */
+static void write_columns(const dense *d)
+{
+    int32_t e = 0, f = 0;
+    for (int j = 0; j < d->n; j++) {
+        p.Pp[j] = e;
+        p.Ap[j] = f;
+        for (int i = 0; i <= j; i++) if (there(d->P[i][j])) { p.Pi[e] = i; p.Px[e++] = R(d->P[i][j]); }
+        for (int i = 0; i < d->m; i++) if (there(d->A[i][j])) { p.Ai[f] = i; p.Ax[f++] = R(d->A[i][j]); }
+        p.q[j] = R(d->q[j]);
+        p.x[j] = R(d->x[j]);
+    }
+    p.Pp[d->n] = e;
+    p.Ap[d->n] = f;
+    for (int i = 0; i < d->m; i++) { p.l[i] = R(d->l[i]); p.u[i] = R(d->u[i]); p.y[i] = R(d->y[i]); }
+    const sp_qp made = { d->n, d->m, p.Pp, p.Pi, p.Px, p.q, p.Ap, p.Ai, p.Ax, p.l, p.u };
+    p.qp = made;
+    if (!e) { p.qp.Pp = p.qp.Pi = NULL; p.qp.Px = NULL; }
+    if (!d->m) { p.qp.Ap = p.qp.Ai = NULL; p.qp.Ax = p.qp.l = p.qp.u = NULL; }
+}
+
+static void draw(int kind, int number, int spread)
+{
+    static dense d;
+    memset(&d, 0, sizeof d);
+    draws = 2654435761u * (uint32_t)(number + 1) ^ 40503u * (uint32_t)(kind + 1);
+    for (int k = 0; k < 8; k++) any(0, 1);
+    d.n = (int)any(2, N + 1);
+    d.m = kind & EMPTY ? (int)any(3, M + 1) : chance(0.08) ? 0 : (int)any(1, M + 1);
+    const double full = any(0.2, 1), none = chance(0.3) ? 0.2 : 0;
+    for (int j = 0; j < d.n; j++) d.x[j] = any(-1, 1);
+    for (int i = 0; i < d.m; i++) draw_row(&d, i, full);
+    for (int j = 0; j < d.n; j++)
+        if (chance(none)) for (int i = 0; i < d.m; i++) d.A[i][j] = 0;
+    draw_P(&d, kind);
+    for (int i = 0; i < d.m; i++) draw_bounds(&d, i, kind);
+    draw_rest(&d, kind, spread);
+    write_columns(&d);
+}
+
+static sp_qp_settings asked(int by)
+{
+    sp_qp_settings set = sp_qp_default();
+    if (by == ADMM || by == DENSE_ADMM || by == PLAIN_ADMM || by >= RESIDUALS) set.method = SP_QP_ADMM;
+    if (by == INTERIOR) set.method = SP_QP_INTERIOR;
+    if (by == DENSE || by == DENSE_ADMM) set.backend = SP_QP_DENSE;
+    if (by == BY_CG || by == CG_SHORT) set.backend = SP_QP_CG;
+    if (by == PLAIN || by == PLAIN_ADMM) set.polish = 0;
+    if (by == LOOSE || by == TIGHT) set.eps_abs = set.eps_rel = R(by == LOOSE ? 1e-3 : 1e-10);
+    if (by == LOOSE || by == RESIDUALS) set.strict = 0;
+    if (by == UNSCALED || by == ONE_PASS) set.passes = by == ONE_PASS;
+    if (by == FIXED_RHO) { set.adapt = 0; set.eps_pinf = set.eps_dinf = R(1e-6); }
+    if (by == OFTEN) { set.adapt = 20; set.adapt_factor = R(2.5); set.adapt_most = 40; set.iterations = 800; }
+    if (by == RELAXED) { set.relax = 1; set.sigma = R(1e-3); set.rho = 10; set.rho_equal = 1; set.radius = 1; }
+    if (by == EACH_STEP) { set.check = 1; set.iterations = 300; set.polish = 0; }
+    if (by == CG_SHORT) { set.cg_steps = 3; set.cg_tol = R(1e-3); }
+    if (by != EACH_STEP) set.iterations = (int)fmin(set.iterations, 1000);
+    return set;
+}
+
+static sp_qp_solver solver(int by)
+{
+    return by == DYKSTRA ? sp_qp_dykstra() : by == INTERIOR ? sp_qp_interior() : sp_qp_admm();
+}
+
+/* |x| of n numbers of any size. */
+static double size_of(const sp_real *x, int32_t n)
+{
+    double most = 0, sum = 0;
+    for (int32_t k = 0; k < n; k++) most = fmax(most, fabs((double)x[k]));
+    for (int32_t k = 0; k < n && most > 0; k++) sum += (double)x[k] / most * ((double)x[k] / most);
+    return most * sqrt(sum);
+}
+
+/* interior: those polished. */
+static void add(sum *t, const sp_qp_result *r)
+{
+    const sp_cost cost = { r->flops, r->factorisations, r->iterations, r->polished };
+    int of = 1;
+    for (int k = 0; k < (int)r->status; k++) of *= 10;
+    t->kind += of;
+    tally_add(&t->cost, &cost);
+    t->found[0] += size_of(r->x, p.qp.n);
+    t->found[1] += size_of(r->y, p.qp.m);
+    t->found[2] += (double)r->objective;
+    t->found[3] += fmin((double)r->primal, 1e9) + fmin((double)r->dual, 1e9) + fmin((double)r->gap, 1e9);
+    t->found[4] += (double)r->rho + sqrt(sqrt(fmin((double)r->radius, 1e16)));
+}
+
+typedef void question(const drawn *d, sum *t);
+
+/* One answer more to *t; what is refused is an answer, too. Memory is what was said before. */
+static sp_qp_result ask(int by, const sp_qp_settings *set, const sp_real *x0, const sp_real *y0, sum *t)
+{
+    const sp_qp_solver use = solver(by);
+    const int own = by == USUAL || by == DENSE || by == PLAIN;
+    size_t bytes = 0;
+    sp_qp_result r;
+    memset(&r, 0, sizeof r);
+    test_arena.used = test_arena.peak = 0;
+    const sp_status known = own ? sp_qp_memory(&p.qp, set, test_arena, &bytes) : use.need(NULL, &p.qp, set, test_arena, &bytes);
+    const sp_status done = own ? sp_qp_solve(&p.qp, set, &test_arena, x0, y0, &r)
+                               : use.solve(NULL, &p.qp, set, &test_arena, x0, y0, &r);
+    CHECK_INT(known, SP_OK);
+    t->bytes += bytes;
+    if (done == SP_OK && CHECK_INT(test_arena.peak, bytes)) add(t, &r);
+    else t->kind -= (int)done;
+    return r;
+}
+
+static void solve_it(const drawn *d, sum *t)
+{
+    const sp_qp_settings set = asked(d->how);
+    ask(d->how, &set, NULL, NULL, t);
+    t->bytes += sp_qp_memory_scratch(&p.qp, &set);
+}
+
+static void compare(const drawn *rows, size_t n, question *ask)
+{
+    for (size_t k = 0; k < n; k++) {
+        sum t;
+        memset(&t, 0, sizeof t);
+        for (int i = 0; i < rows[k].count; i++) {
+            test_renew();
+            draw(rows[k].kind, rows[k].first + i, rows[k].spread);
+            ask(&rows[k], &t);
+        }
+        tally_compare("programs", k, &rows[k].is, t.kind, &t.cost, t.bytes, t.found);
+    }
+}
+
+#define COMPARE(rows, ask) compare(rows, sizeof (rows) / sizeof *(rows), ask)
+
+/* With each part of what it takes, from an eighth on, and with next to nothing. */
+static void spend_it(const drawn *d, sum *t)
+{
+    sp_qp_settings set = asked(d->how);
+    const int64_t all = ask(d->how, &set, NULL, NULL, t).flops;
+    for (int k = 0; k < 9; k++) {
+        set.budget = k ? all * k / 8 : 1;
+        ask(d->how, &set, NULL, NULL, t);
+    }
+}
+
+/* With 80 budgets about what 100 iterations take. */
+static void spend_near(const drawn *d, sum *t)
+{
+    sp_qp_settings set = asked(d->how);
+    set.iterations = 100;
+    const int64_t all = ask(d->how, &set, NULL, NULL, t).flops;
+    for (int k = 0; k < 80; k++) {
+        set.budget = all - all / 8 + all * k / 320;
+        ask(d->how, &set, NULL, NULL, t);
+    }
+}
+
+/* From x, y that are about right, or one of both, or none, with no more than so many iterations. */
+static void guess_it(const drawn *d, sum *t)
+{
+    static const int most[4] = { 1, 7, 150, 250 };
+    sp_qp_settings set = asked(d->how);
+    for (int j = 0; j < p.qp.n; j++) p.x[j] *= R(any(0.99, 1.01));
+    for (int k = 0; k < 16; k++) {
+        set.iterations = most[k / 4];
+        ask(d->how, &set, k % 2 ? p.x : NULL, k % 4 < 2 ? p.y : NULL, t);
+    }
+}
+
+/* From where products overflow. */
+static void far_it(const drawn *d, sum *t)
+{
+    const sp_qp_settings set = asked(d->how);
+    for (int far = 140; far < 300; far += 20) {
+        sp_real x[N], y[M];
+        for (int j = 0; j < p.qp.n; j++) x[j] = R(tens(far, far));
+        for (int i = 0; i < p.qp.m; i++) y[i] = R(i % 3 ? -tens(far, far) : tens(far, far));
+        ask(d->how, &set, far % 3 < 2 ? x : NULL, far % 3 ? y : NULL, t);
+    }
+}
+
+/* Once as it is; from there with another q and the same rho; with the first row fixed and the least rho; with that row free and
+ * another rho; as at first. */
+static void change_it(const drawn *d, sum *t)
+{
+    const sp_qp_settings set = asked(d->how);
+    sp_real q[N], l[M], u[M];
+    sp_qp_work *work;
+    sp_qp_result r;
+    for (int j = 0; j < p.qp.n; j++) q[j] = p.q[j] * R(any(0.5, 1.5));
+    for (int i = 0; i < p.qp.m; i++) { l[i] = i ? p.l[i] : R(fmax((double)p.l[i], -1)); u[i] = i ? p.u[i] : l[i]; }
+    CHECK_INT(sp_qp_setup(&p.qp, &set, &test_arena, &work), SP_OK);
+    for (int k = 0; k < 5; k++) {
+        if (k == 1) CHECK_INT(sp_qp_update(work, q, NULL, NULL), SP_OK);
+        if (k == 2) CHECK_INT(sp_qp_update(work, NULL, l, u), SP_OK);
+        if (k == 3) { l[0] = R(-1e30); u[0] = R(1e30); CHECK_INT(sp_qp_update(work, p.q, l, u), SP_OK); }
+        if (k == 4) CHECK_INT(sp_qp_update(work, p.q, p.l, p.u), SP_OK);
+        if (k) CHECK_INT(sp_qp_rho(work, k == 2 ? R(1e-6) : k == 3 ? 1 : r.rho), SP_OK);
+        CHECK_INT(sp_qp_run(work, k ? r.x : NULL, k && k < 4 ? r.y : NULL, &r), SP_OK);
+        add(t, &r);
+    }
+    t->bytes += test_arena.peak;
+}
+
+/* eps times a residual over 1, 10, a little less and a little more: solved up to 1, inaccurate up to 10. */
+static void near_eps(int by, int kind)
+{
+    static const double off[6] = { 1, 1.05, 9.5, 10, 10.5, 12 };
+    static const sp_qp_status word[6] = { SP_QP_SOLVED, SP_QP_INACCURATE, SP_QP_INACCURATE, SP_QP_INACCURATE,
+                                          SP_QP_ITERATIONS, SP_QP_ITERATIONS };
+    sp_qp_settings set = asked(by);
+    sum t;
+    memset(&t, 0, sizeof t);
+    set.strict = set.polish = 0;
+    set.eps_rel = 0;
+    set.iterations = 3;
+    for (int number = 0; number < 6; number++) {
+        test_renew();
+        draw(kind, number, 0);
+        set.eps_abs = R(1e-12);
+        const sp_qp_result r = ask(by, &set, NULL, NULL, &t);
+        const double worst = fmax((double)r.primal, (double)r.dual);
+        for (int k = by == DYKSTRA; k < 6 && worst > 1e-6; k++) {      /* those are not at rest yet */
+            set.eps_abs = R(worst / off[k]);
+            CHECK_INT(ask(by, &set, NULL, NULL, &t).status, word[k]);
+        }
+    }
+}
+
+TEST(drawn_programs_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { ROUND, 0, 8, 0, USUAL, { 8, 122, 66, 3, 679719, 56816, { 9.2369375, 7.4946126, -8.5113794, 4.9961282e-12, 0.8 } } },
+        { ROUND, 100, 8, 0, ADMM, { 8, 73, 410, 8, 645134, 88512, { 11.251755, 7.3852142, -12.007858, 1.3926871e-13, 1.6 } } },
+        { ROUND, 200, 8, 0, INTERIOR, { 8, 138, 80, 3, 1345726, 85344,
+          { 12.94326, 25.254353, -22.696041, 3.7833026e-11, 0.8 } } },
+        { ROUND, 300, 8, 0, DENSE, { 8, 240, 156, 7, 1742993, 37136, { 12.08979, 22.213604, -16.056342, 1.312756e-11, 0.8 } } },
+        { ROUND, 400, 8, 0, DENSE_ADMM, { 8, 34, 400, 8, 395347, 30064,
+          { 11.007699, 5.8963274, -9.8589121, 1.0452744e-13, 1.2 } } },
+        { ROUND, 500, 8, 0, BY_CG, { 8, 54, 400, 8, 4613538, 37296,
+          { 12.962221, 7.4945079, -28.284356, 2.8871538e-13, 1.2 } } },
+        { FLAT, 600, 8, 0, USUAL, { 8, 57, 44, 0, 411648, 91168, { 13.730706, 5.1463473, -8.2185479, 1.0486622e-11, 0.8 } } },
+        { FLAT, 700, 8, 0, ADMM, { 8, 30, 290, 8, 811103, 89120, { 60.241003, 7.5710287, -10.13894, 3.1793368e-12, 0.8 } } },
+        { FLAT, 800, 8, 0, INTERIOR, { 8, 58, 48, 0, 264315, 61640,
+          { 10.341581, 5.7551545, -4.2429813, 7.5684869e-12, 0.8 } } },
+        { FLAT, 900, 8, 0, DENSE, { 8, 206, 159, 6, 1166608, 32024, { 249.54184, 8.26695, -6.4070036, 2.1794633e-12, 0.8 } } },
+        { FLAT, 1000, 8, 0, DENSE_ADMM, { 8, 25, 380, 8, 648697, 33376,
+          { 13.963478, 5.2236755, -9.795205, 1.4962348e-12, 0.8 } } },
+        { FLAT, 1100, 8, 0, BY_CG, { 8, 26, 270, 8, 1370620, 32160, { 18.79445, 4.0241907, -7.5757588, 1.2241962e-13, 0.8 } } },
+        { LINEAR, 1200, 8, 0, USUAL, { 8, 54, 44, 0, 275163, 68648,
+          { 10.036391, 19.175587, 0.026852601, 5.3709581e-12, 0.8 } } },
+        { LINEAR, 1300, 8, 0, ADMM, { 8, 20, 310, 8, 269919, 68320, { 12.57147, 11.723181, -1.4448852, 5.1931587e-14, 0.8 } } },
+        { LINEAR, 1400, 8, 0, INTERIOR, { 8, 59, 49, 0, 252462, 66408,
+          { 34.359453, 27.0032, 0.33350564, 8.7974315e-12, 0.8 } } },
+        { LINEAR, 1500, 8, 0, DENSE, { 8, 165, 217, 5, 1600087, 37144,
+          { 9.8057874, 4.0869653, -0.33545759, 1.5263729e-12, 1.2 } } },
+        { LINEAR, 1600, 8, 0, DENSE_ADMM, { 8, 27, 330, 8, 448036, 34160,
+          { 5.8277051, 5.5634915, -0.58785617, 1.0059683e-13, 1.2 } } },
+        { LINEAR, 1700, 8, 0, BY_CG, { 8, 24, 470, 8, 1559057, 39392,
+          { 17.170013, 7.9076491, -3.1733174, 2.748524e-14, 0.8 } } }
+    };
+    COMPARE(rows, solve_it);
+}
+
+TEST(drawn_programs_asked_otherwise_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { ROUND, 2000, 5, 0, PLAIN, { 5, 30, 25, 0, 181750, 50584, { 7.3059568, 6.9356036, -11.066767, 4.8634485e-05, 0.5 } } },
+        { ROUND, 2100, 5, 0, PLAIN_ADMM, { 5, 5, 200, 0, 180427, 61056,
+          { 8.175906, 3.8908847, -13.532794, 3.2516458e-05, 0.5 } } },
+        { ROUND, 2200, 5, 0, LOOSE, { 5, 34, 110, 5, 227924, 54720,
+          { 8.0658882, 2.8294792, -9.1295723, 1.8405605e-11, 0.5 } } },
+        { ROUND, 2300, 5, 0, TIGHT, { 5, 75, 400, 5, 873366, 56800, { 6.8578158, 7.9295389, -17.755608, 3.649958e-14, 1.3 } } },
+        { ROUND, 2400, 5, 0, RESIDUALS, { 5, 19, 200, 5, 229739, 51456,
+          { 6.223147, 7.0997584, -8.8996242, 6.4901143e-14, 0.5 } } },
+        { ROUND, 2500, 5, 0, UNSCALED, { 5, 35, 290, 5, 279631, 47072,
+          { 6.9684339, 1.4897992, -7.4228045, 2.6666418e-13, 1.3 } } },
+        { ROUND, 2600, 5, 0, ONE_PASS, { 5, 43, 430, 5, 435831, 46656,
+          { 6.4583251, 7.0850842, -11.17005, 4.0376896e-13, 1.7 } } },
+        { ROUND, 2700, 5, 0, FIXED_RHO, { 5, 63, 270, 5, 496823, 62560,
+          { 8.729162, 6.0950819, -13.880787, 1.076896e-13, 0.5 } } },
+        { ROUND, 2800, 5, 0, OFTEN, { 5, 28, 180, 5, 249364, 53408,
+          { 9.5104468, 2.8081193, -24.229228, 1.0017148e-13, 0.59 } } },
+        { ROUND, 2900, 5, 0, RELAXED, { 5, 42, 410, 5, 552530, 53568,
+          { 7.0511202, 43.816691, -15.03411, 3.9657719e-11, 18 } } },
+        { ROUND, 3000, 5, 0, EACH_STEP, { 5, 5, 128, 0, 259616, 45344,
+          { 6.6698911, 3.1890751, -16.035312, 0.00012706694, 0.5 } } },
+        { ROUND, 3100, 5, 0, CG_SHORT, { 10004, 202, 2400, 4, 18178135, 22144,
+          { 6.4877408, 3.4085931, -11.427971, 0.0014771, 0.1448 } } },
+        { FLAT, 3200, 5, 0, PLAIN, { 5, 28, 23, 0, 175515, 52512, { 64.47146, 81.250123, -4.9826519, 4.779253e-06, 0.5 } } },
+        { FLAT, 3300, 5, 0, PLAIN_ADMM, { 5, 5, 190, 0, 108650, 48864,
+          { 23.827503, 4.5366923, -9.5539275, 3.4588568e-05, 0.5 } } },
+        { FLAT, 3400, 5, 0, LOOSE, { 5, 35, 190, 5, 261794, 43744, { 6.9029958, 2.9792287, -3.6896604, 2.5776784e-11, 0.5 } } },
+        { FLAT, 3500, 5, 0, TIGHT, { 5, 20, 390, 5, 531439, 49632, { 8.3561374, 5.8851717, -4.5548668, 1.7559856e-14, 0.9 } } },
+        { FLAT, 3600, 5, 0, RESIDUALS, { 5, 14, 230, 5, 365583, 53760,
+          { 11.557792, 3.1781636, -7.1617546, 6.0809299e-13, 0.5 } } },
+        { FLAT, 3700, 5, 0, UNSCALED, { 5, 33, 290, 5, 544599, 56256,
+          { 6.3899872, 4.2852964, -5.1212874, 1.8609487e-13, 0.9 } } },
+        { FLAT, 3800, 5, 0, ONE_PASS, { 5, 19, 200, 5, 273281, 38144,
+          { 4.7863061, 0.95094261, -0.92010167, 4.4971367e-13, 0.5 } } },
+        { FLAT, 3900, 5, 0, FIXED_RHO, { 5, 11, 190, 5, 213624, 58112,
+          { 11.29539, 4.5569039, -6.7854396, 9.5326938e-14, 0.5 } } },
+        { FLAT, 4000, 5, 0, OFTEN, { 5, 16, 230, 5, 182914, 45184, { 7.343672, 5.4191171, -1.5477877, 6.9279121e-14, 0.95 } } },
+        { FLAT, 4100, 5, 0, RELAXED, { 5, 12, 120, 5, 97590, 35040, { 14.703608, 1.5755735, -1.5809123, 1.0360179e-14, 50 } } },
+        { FLAT, 4200, 5, 0, EACH_STEP, { 5, 5, 207, 0, 552830, 51072,
+          { 8.2246264, 3.2744805, -3.6037806, 4.3923916e-05, 0.5 } } },
+        { FLAT, 4300, 5, 0, CG_SHORT, { 5, 35, 430, 5, 696215, 20848,
+          { 6.1239887, 8.0111956, -3.5479983, 9.4446939e-14, 0.82 } } },
+        { LINEAR, 4400, 5, 0, PLAIN, { 5, 21, 16, 0, 121883, 48504, { 134.68505, 10.778898, 1.0728777, 2.4131562e-06, 0.5 } } },
+        { LINEAR, 4500, 5, 0, PLAIN_ADMM, { 5, 5, 160, 0, 106499, 43776,
+          { 4.6686114, 4.3292319, 4.08191, 4.6324444e-06, 0.5 } } },
+        { LINEAR, 4600, 5, 0, LOOSE, { 5, 14, 160, 5, 186060, 57088,
+          { 10.366033, 6.081746, -0.76366031, 4.2728986e-12, 0.5 } } },
+        { LINEAR, 4700, 5, 0, TIGHT, { 5, 19, 360, 5, 521000, 41856,
+          { 9.0936226, 4.4473056, -3.1969073, 3.7574981e-15, 0.9 } } },
+        { LINEAR, 4800, 5, 0, RESIDUALS, { 5, 16, 310, 5, 268990, 50880,
+          { 6.7167081, 5.063254, 0.070147629, 7.7180068e-14, 0.5 } } },
+        { LINEAR, 4900, 5, 0, UNSCALED, { 5, 17, 260, 5, 205954, 39296,
+          { 3.9790057, 2.8540782, 1.2737328, 4.7096797e-14, 0.9 } } },
+        { LINEAR, 5000, 5, 0, ONE_PASS, { 5, 7, 100, 5, 62657, 26720,
+          { 1.5392519, 0.4343985, -0.29369183, 4.3363372e-14, 0.5 } } },
+        { LINEAR, 5100, 5, 0, FIXED_RHO, { 5, 12, 350, 5, 297029, 48736,
+          { 34.667993, 6.8613332, -1.2612246, 1.0690084e-13, 0.5 } } },
+        { LINEAR, 5200, 5, 0, OFTEN, { 5, 17, 190, 5, 132835, 33984,
+          { 3.0427033, 2.7017284, 0.50890724, 2.1386221e-14, 1.175 } } },
+        { LINEAR, 5300, 5, 0, RELAXED, { 5, 13, 190, 5, 152629, 41280,
+          { 3.5055892, 2.4089418, -0.22991135, 7.0704839e-14, 50 } } },
+        { LINEAR, 5400, 5, 0, EACH_STEP, { 5, 6, 220, 0, 423880, 40544,
+          { 8.290332, 2.8330376, -0.321087, 2.1064558e-05, 0.9 } } },
+        { LINEAR, 5500, 5, 0, CG_SHORT, { 10004, 238, 1400, 4, 18130897, 27040,
+          { 18.348294, 4.9621553, -1.5982658, 11.214899, 0.18 } } }
+    };
+    COMPARE(rows, solve_it);
+}
+
+TEST(drawn_programs_of_many_equations_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { ROUND | TIED, 6000, 8, 0, USUAL, { 8, 77, 58, 1, 369385, 72728,
+          { 11.114871, 27.670705, -13.768698, 2.8713505e-11, 0.8 } } },
+        { ROUND | TIED, 6100, 8, 0, ADMM, { 8, 20, 310, 8, 392281, 73440,
+          { 10.859568, 7.8068101, -22.34101, 1.9698362e-13, 1.2 } } },
+        { ROUND | TIED, 6200, 8, 0, DENSE, { 8, 245, 187, 8, 2307676, 41016,
+          { 12.300478, 26.045456, -19.002869, 5.089584e-13, 0.8 } } },
+        { ROUND | TIED, 6300, 8, 0, BY_CG, { 8, 16, 260, 8, 1545784, 33696,
+          { 11.842431, 14.906185, -19.605011, 5.21978e-14, 0.8 } } },
+        { ROUND | TIED, 6400, 8, 0, PLAIN, { 8, 47, 39, 0, 329143, 97440,
+          { 12.851093, 47.606948, -22.453779, 6.5336037e-05, 0.8 } } },
+        { ROUND | TIED, 6500, 8, 0, RESIDUALS, { 8, 37, 330, 8, 354683, 80544,
+          { 14.008881, 6.8554856, -27.307715, 4.843071e-13, 1.2 } } },
+        { FLAT | TIED, 6600, 8, 0, USUAL, { 8, 61, 44, 1, 299599, 79104,
+          { 11.139321, 9.6749959, -6.9466259, 1.2299467e-07, 0.8 } } },
+        { FLAT | TIED, 6700, 8, 0, ADMM, { 8, 30, 270, 8, 469640, 86944,
+          { 152.49412, 12.291757, 6.7707122, 6.5497974e-12, 0.8 } } },
+        { FLAT | TIED, 6800, 8, 0, DENSE, { 8, 186, 150, 7, 1424166, 37952,
+          { 11.562107, 9.5449431, -7.8747148, 8.4360873e-13, 0.8 } } },
+        { FLAT | TIED, 6900, 8, 0, BY_CG, { 8, 20, 290, 8, 1262027, 35520,
+          { 12.506917, 10.161156, -1.8118373, 3.5422526e-13, 0.8 } } },
+        { FLAT | TIED, 7000, 8, 0, PLAIN, { 8, 31, 23, 0, 189955, 78944,
+          { 11.7376, 27.981708, -8.4686872, 4.9957456e-05, 0.8 } } },
+        { FLAT | TIED, 7100, 8, 0, RESIDUALS, { 8, 20, 240, 8, 321340, 71392,
+          { 9.1683976, 8.2292975, 4.0012394, 2.1541465e-13, 0.8 } } },
+        { LINEAR | TIED, 7200, 8, 0, USUAL, { 8, 35, 24, 0, 147412, 56952,
+          { 5.0840694, 7.1538918, -1.1324163, 2.0589504e-12, 0.8 } } },
+        { LINEAR | TIED, 7300, 8, 0, ADMM, { 8, 21, 240, 8, 329056, 67328,
+          { 12.858723, 8.503507, 3.2318993, 9.7661176e-14, 0.8 } } },
+        { LINEAR | TIED, 7400, 8, 0, DENSE, { 8, 145, 112, 5, 754703, 34664,
+          { 12.530116, 23.532523, 3.0812366, 1.1570999e-12, 0.8 } } },
+        { LINEAR | TIED, 7500, 8, 0, BY_CG, { 8, 21, 410, 8, 1868902, 38544,
+          { 9.7121824, 10.091624, -0.6908481, 1.1178511e-13, 1.2 } } },
+        { LINEAR | TIED, 7600, 8, 0, PLAIN, { 8, 32, 24, 0, 163054, 79144,
+          { 22.144118, 48.962662, -2.3707087, 2.1835235e-05, 0.8 } } },
+        { LINEAR | TIED, 7700, 8, 0, RESIDUALS, { 8, 27, 340, 8, 245213, 59584,
+          { 10.338015, 10.527744, 1.3943582, 1.9528609e-13, 0.72 } } }
+    };
+    COMPARE(rows, solve_it);
+}
+
+TEST(drawn_programs_without_solution_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { ROUND | EMPTY, 9000, 4, 0, USUAL, { 400, 27, 23, 0, 251860, 60416,
+          { 0, 6.9282028, 13.858798, 5493047.9, 279.00048 } } },
+        { ROUND | EMPTY, 9100, 4, 0, ADMM, { 400, 5, 280, 0, 141966, 38624,
+          { 0, 6.5511562, 16.094994, 389.83814, 1861.2853 } } },
+        { ROUND | EMPTY, 9200, 4, 0, DENSE_ADMM, { 400, 43, 1080, 0, 2549699, 21040,
+          { 0, 6.8650574, 22088.371, 39959.389, 15509.181 } } },
+        { ROUND | EMPTY, 9300, 4, 0, BY_CG, { 10300, 63, 1160, 0, 11121931, 18448,
+          { 95.293337, 4723.72, 3793.8857, 3226.8462, 196.83105 } } },
+        { ROUND | EMPTY, 9400, 4, 0, PLAIN_ADMM, { 400, 7, 520, 0, 321093, 36992,
+          { 0, 5.8326365, 450.60233, 1317.2358, 373.37002 } } },
+        { ROUND | EMPTY, 9500, 4, 0, FIXED_RHO, { 400, 5, 270, 0, 182766, 40576,
+          { 0, 5.9370032, 5.1846185, 268.44134, 4123.7929 } } },
+        { ROUND | EMPTY, 9600, 4, 0, OFTEN, { 400, 16, 290, 0, 322242, 61568,
+          { 0, 5.1920211, 34.667461, 3241.5515, 7135.2478 } } },
+        { ROUND | EMPTY, 9700, 4, 0, RELAXED, { 400, 6, 290, 0, 215909, 44320,
+          { 0, 6.7320583, 5.730335, 4473.3218, 4399.1434 } } },
+        { LINEAR | EMPTY, 9800, 4, 0, USUAL, { 1300, 18, 14, 0, 63214, 31264,
+          { 1.065096, 3.9625915, -1638.0331, 7485.1772, 782.38514 } } },
+        { LINEAR | EMPTY, 9900, 4, 0, ADMM, { 400, 4, 270, 0, 281871, 50080,
+          { 0, 5.5984169, 2.1775697, 85.337459, 364.58113 } } },
+        { LINEAR | EMPTY, 10000, 4, 0, DENSE_ADMM, { 400, 28, 550, 0, 751554, 18496,
+          { 0, 5.7766674, 1.1588825, 2009.3843, 320.86472 } } },
+        { LINEAR | EMPTY, 10100, 4, 0, BY_CG, { 1300, 4, 170, 0, 1252084, 22048,
+          { 1.3457608, 4.4225984, -20461680, 40937136, 452.31367 } } },
+        { LINEAR | EMPTY, 10200, 4, 0, PLAIN_ADMM, { 4000, 4, 80, 0, 43655, 34784,
+          { 4.2679974, 0, -1.5601787e+08, 3.2361791e+08, 335.0212 } } },
+        { LINEAR | EMPTY, 10300, 4, 0, FIXED_RHO, { 1300, 52, 1180, 0, 3993253, 34496,
+          { 1.5083583, 4.2474198, -53188803, 1.0637784e+08, 13939.081 } } },
+        { LINEAR | EMPTY, 10400, 4, 0, OFTEN, { 2200, 9, 160, 0, 55246, 28640,
+          { 2.6813287, 2.0982403, -2560592.3, 5836057.2, 10294.339 } } },
+        { LINEAR | EMPTY, 10500, 4, 0, RELAXED, { 400, 4, 110, 0, 73216, 39200,
+          { 0, 6.3229285, 7.8432765, 33129.907, 105.59648 } } },
+        { ROUND | DEEP, 10600, 4, 0, USUAL, { 4000, 33, 29, 0, 319209, 58944,
+          { 7.7566112, 0, -7524512.7, 34993880, 212.24688 } } },
+        { ROUND | DEEP, 10700, 4, 0, ADMM, { 4000, 4, 110, 0, 26497, 23008,
+          { 5.8678135, 0, -1069113, 2139200.7, 223.13112 } } },
+        { ROUND | DEEP, 10800, 4, 0, DENSE_ADMM, { 4000, 4, 130, 0, 63752, 15312,
+          { 5.9173623, 0, -5355.7378, 10712.266, 226.53467 } } },
+        { ROUND | DEEP, 10900, 4, 0, BY_CG, { 4000, 4, 220, 0, 1916152, 19632,
+          { 6.1567179, 0, -333.15186, 774.27122, 269.23641 } } },
+        { ROUND | DEEP, 11000, 4, 0, PLAIN_ADMM, { 4000, 4, 130, 0, 53124, 30816,
+          { 5.5400255, 0, -2454961.5, 4909930.6, 341.8285 } } },
+        { ROUND | DEEP, 11100, 4, 0, FIXED_RHO, { 4000, 4, 160, 0, 104821, 33600,
+          { 6.3415047, 0, -3227532.5, 6455204.8, 211.46234 } } },
+        { ROUND | DEEP, 11200, 4, 0, OFTEN, { 4000, 9, 170, 0, 144858, 53088,
+          { 8.0095516, 0, -392.21246, 871.0415, 268.91451 } } },
+        { ROUND | DEEP, 11300, 4, 0, RELAXED, { 4000, 30, 540, 0, 1517115, 39872,
+          { 6.4603659, 0, -2674.5582, 5326.1533, 20966.419 } } },
+        { FLAT | DEEP, 11400, 4, 0, USUAL, { 4000, 27, 23, 0, 222369, 43808,
+          { 6.8311532, 0, -66565980, 1.3695116e+08, 5398.8256 } } },
+        { FLAT | DEEP, 11500, 4, 0, ADMM, { 4000, 4, 110, 0, 67603, 37120, { 6.1500437, 0, -31982576, 64322713, 227.5354 } } },
+        { FLAT | DEEP, 11600, 4, 0, DENSE_ADMM, { 4000, 4, 150, 0, 136183, 17152,
+          { 4.7334689, 0, -10576686, 26477001, 418.26978 } } },
+        { FLAT | DEEP, 11700, 4, 0, BY_CG, { 4000, 4, 80, 0, 540906, 19264,
+          { 5.6286921, 0, -16125727, 37036749, 223.51677 } } },
+        { FLAT | DEEP, 11800, 4, 0, PLAIN_ADMM, { 4000, 5, 200, 0, 164400, 42560,
+          { 5.7813056, 0, -1747250.4, 3544397.9, 280.78604 } } },
+        { FLAT | DEEP, 11900, 4, 0, FIXED_RHO, { 4000, 4, 140, 0, 125679, 54112,
+          { 5.4494204, 0, -517496.46, 5741118.4, 281.58938 } } },
+        { FLAT | DEEP, 12000, 4, 0, OFTEN, { 4000, 6, 80, 0, 62097, 40160, { 5.488325, 0, -42967280, 87241711, 297.93499 } } },
+        { FLAT | DEEP, 12100, 4, 0, RELAXED, { 4000, 5, 170, 0, 120149, 35392,
+          { 5.506114, 0, -17341.449, 45807.097, 21901.579 } } },
+        { LINEAR | DEEP, 12200, 4, 0, USUAL, { 4000, 21, 17, 0, 75823, 30536,
+          { 5.0275058, 0, -34225670, 69845603, 30109.647 } } },
+        { LINEAR | DEEP, 12300, 4, 0, ADMM, { 4000, 4, 40, 0, 15187, 28576,
+          { 4.7449989, 0, -37279157, 80421967, 30055.829 } } },
+        { LINEAR | DEEP, 12400, 4, 0, DENSE_ADMM, { 4000, 4, 40, 0, 27214, 16816,
+          { 5.8394682, 0, -23906005, 53043526, 40000.4 } } },
+        { LINEAR | DEEP, 12500, 4, 0, BY_CG, { 4000, 4, 50, 0, 159068, 15856,
+          { 4.4919557, 0, -33111912, 68377895, 30047.376 } } },
+        { LINEAR | DEEP, 12600, 4, 0, PLAIN_ADMM, { 4000, 4, 80, 0, 72644, 42752,
+          { 6.5056576, 0, -15004471, 46351804, 20166.143 } } },
+        { LINEAR | DEEP, 12700, 4, 0, FIXED_RHO, { 4000, 4, 60, 0, 13231, 21504,
+          { 4.6903379, 0, -38921906, 77843815, 30071.553 } } },
+        { LINEAR | DEEP, 12800, 4, 0, OFTEN, { 4000, 4, 50, 0, 48028, 46752,
+          { 5.4201244, 0, -10019068, 44579884, 30044.332 } } },
+        { LINEAR | DEEP, 12900, 4, 0, RELAXED, { 4000, 4, 40, 0, 27325, 42528,
+          { 4.7451327, 0, -25017.644, 51742.393, 20072.817 } } }
+    };
+    COMPARE(rows, solve_it);
+}
+
+TEST(drawn_programs_of_any_scale_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { ROUND, 14000, 4, 3, USUAL, { 4, 72, 44, 1, 627251, 52896,
+          { 60.100706, 10819.089, -10.405374, 1.0467902e-10, 0.4 } } },
+        { ROUND, 14100, 4, 3, ADMM, { 4, 12, 210, 4, 93825, 28480, { 19.206011, 1.6549295, -8.2293482, 3.8796572e-12, 0.4 } } },
+        { ROUND, 14200, 4, 3, DENSE, { 4, 123, 64, 3, 1334930, 19776,
+          { 30.885619, 15.438583, -18.438083, 1.6008008e-09, 0.4 } } },
+        { ROUND, 14300, 4, 3, BY_CG, { 4, 22, 200, 4, 599112, 18480,
+          { 15.68987, 10.680595, -2.3527215, 4.4036408e-12, 0.8 } } },
+        { ROUND, 14400, 4, 3, PLAIN, { 4, 22, 18, 0, 104695, 32928,
+          { 5.0026452, 16.366364, -7.1191833, 5.0466799e-05, 0.4 } } },
+        { ROUND, 14500, 4, 3, RESIDUALS, { 4, 11, 180, 4, 164132, 35808,
+          { 48.252486, 2.4241263, -3.9997477, 7.3637036e-11, 0.4 } } },
+        { ROUND, 14600, 4, 3, ONE_PASS, { 4, 22, 400, 4, 376241, 39872,
+          { 114.96004, 47.089271, -4.9037649, 3.8211696e-12, 1.52 } } },
+        { ROUND, 14700, 4, 3, UNSCALED, { 4, 62, 330, 4, 479582, 45280,
+          { 25.171743, 64.309467, -6.8671524, 6.4473199e-12, 0.64 } } },
+        { FLAT, 14800, 4, 3, USUAL, { 4, 18, 13, 0, 105380, 35488, { 111.62738, 2.8034605, -2.2273785, 2.1366308e-11, 0.4 } } },
+        { FLAT, 14900, 4, 3, ADMM, { 4, 17, 210, 4, 431740, 39552, { 25.240107, 2.2803542, -4.5061218, 6.8885231e-12, 0.4 } } },
+        { FLAT, 15000, 4, 3, DENSE, { 4, 109, 80, 3, 1408209, 20536,
+          { 40.252717, 17.372222, -4.8046016, 2.3022293e-11, 0.4 } } },
+        { FLAT, 15100, 4, 3, BY_CG, { 4, 15, 200, 4, 947669, 17888, { 11.382133, 19.560565, 1.4071129, 3.0327087e-10, 0.4 } } },
+        { FLAT, 15200, 4, 3, PLAIN, { 4, 18, 14, 0, 91807, 40000, { 5.2954424, 8.9298007, -1.0877079, 0.00039344137, 0.4 } } },
+        { FLAT, 15300, 4, 3, RESIDUALS, { 4, 13, 110, 4, 79182, 26272,
+          { 87.882243, 2.0797405, 0.86653169, 2.2662384e-13, 0.4 } } },
+        { FLAT, 15400, 4, 3, ONE_PASS, { 4, 16, 230, 4, 342363, 36256,
+          { 4.1289704, 2.5724172, -0.52912431, 2.9607523e-12, 0.8 } } },
+        { FLAT, 15500, 4, 3, UNSCALED, { 4, 12, 140, 4, 374829, 42944,
+          { 6.9489268, 1.3939658, -6.3323563, 8.7629179e-12, 0.4 } } },
+        { LINEAR, 15600, 4, 3, USUAL, { 4, 36, 30, 0, 162754, 36256, { 28.913374, 140.08979, 1.072442, 5.2881577e-13, 0.4 } } },
+        { LINEAR, 15700, 4, 3, ADMM, { 4, 11, 140, 4, 138038, 35712,
+          { 108.81152, 22.158772, 0.047322604, 2.0434221e-12, 0.4 } } },
+        { LINEAR, 15800, 4, 3, DENSE, { 4, 120, 125, 4, 1202423, 20864,
+          { 101.78322, 4492.4334, 1.9887936, 2.7989297e-12, 0.4 } } },
+        { LINEAR, 15900, 4, 3, BY_CG, { 4, 14, 190, 4, 172015, 15024,
+          { 73.692688, 5.7132819, -1.0406925, 5.992992e-13, 0.4 } } },
+        { LINEAR, 16000, 4, 3, PLAIN, { 4, 16, 12, 0, 74835, 34128, { 21.597235, 15.505583, 0.8231544, 1.3072863e-05, 0.4 } } },
+        { LINEAR, 16100, 4, 3, RESIDUALS, { 4, 9, 80, 4, 212763, 25440,
+          { 0.5937952, 1.4445104, -0.73823357, 1.6366694e-12, 0.4 } } },
+        { LINEAR, 16200, 4, 3, ONE_PASS, { 4, 11, 120, 4, 77401, 27360,
+          { 10.970323, 2.1479105, -3.2120384, 7.1031046e-13, 0.4 } } },
+        { LINEAR, 16300, 4, 3, UNSCALED, { 4, 8, 200, 4, 110849, 26400,
+          { 2.5462534, 18.652225, 1.9567682, 8.5634757e-13, 0.8 } } }
+    };
+    COMPARE(rows, solve_it);
+}
+
+TEST(drawn_programs_of_extreme_scale_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { ROUND, 17000, 4, 6, USUAL, { 4, 75, 44, 2, 435123, 30904, { 590.10376, 8876.7018, -2.7595019, 9.232846e-09, 0.4 } } },
+        { ROUND, 17100, 4, 6, ADMM, { 4, 13, 260, 4, 420162, 42432,
+          { 54875.022, 24180.451, -5.4905842, 1.9256645e-10, 0.72 } } },
+        { LINEAR, 17200, 4, 6, USUAL, { 4, 29, 22, 0, 92071, 27160,
+          { 571.54109, 81378.234, -0.13358949, 6.4359809e-10, 0.4 } } },
+        { LINEAR, 17300, 4, 6, ADMM, { 4, 13, 240, 4, 490606, 40608,
+          { 20914.078, 17548.712, -2.1274002, 8.362597e-10, 0.72 } } },
+        { ROUND | EMPTY, 17400, 4, 6, USUAL, { 400, 57, 53, 0, 319586, 37896,
+          { 0, 5.0443804, 178667.78, 3.615653e+09, 1547.5826 } } },
+        { ROUND | EMPTY, 17500, 4, 6, ADMM, { 400, 17, 430, 0, 345727, 40832,
+          { 0, 5.0265944, 34.941272, 27464.066, 11704.321 } } },
+        { ROUND | DEEP, 17600, 4, 6, USUAL, { 4000, 34, 30, 0, 245039, 44064,
+          { 4.9020584, 0, -1.0917141e+08, 2.202607e+08, 265.52164 } } },
+        { ROUND | DEEP, 17700, 4, 6, ADMM, { 4000, 16, 550, 0, 1078366, 35072,
+          { 4.3320163, 0, -62.451009, 1539.5349, 8744.4143 } } },
+        { ROUND, 18000, 2, 6, BY_CG, { 2, 7, 130, 2, 760643, 8944,
+          { 33.178082, 2.9132548e-14, -15.413003, 2.3768131e-09, 0.12 } } },
+        { ROUND | DEEP, 18100, 2, 6, BY_CG, { 2000, 298, 1010, 0, 10993812, 7216,
+          { 2.0000002, 0, -442880.88, 1130519.2, 105.12578 } } },
+        { ROUND, 19000, 1, 40, USUAL, { 1, 3, 2, 0, 3935, 4576, { 9612553.2, 0, -0.28063686, 1e+09, 0.1 } } },
+        { ROUND, 19100, 1, 40, ADMM, { 1, 11, 30, 1, 16679, 5376, { 0.97228393, 0.76399295, -0.6379291, 1e+09, 0.1 } } },
+        { ROUND, 19200, 1, 40, UNSCALED, { 10000, 10, 1000, 0, 5453612, 10144,
+          { 0.9403676, 0.40378138, -1.1778988, 1e+09, 195312.5 } } },
+        { LINEAR | EMPTY, 19300, 1, 40, USUAL, { 100, 58, 424, 0, 1678044, 17712,
+          { 0, 1.0000127, -0.85819816, 1318.5339, 658.44282 } } },
+        { LINEAR | EMPTY, 19400, 1, 40, ADMM, { 100, 1, 40, 0, 7927, 5792,
+          { 0, 1.0701395, -0.086871334, 14.094034, 59.406762 } } },
+        { LINEAR | EMPTY, 19500, 1, 40, UNSCALED, { 1000000, 1, 10, 0, 12062, 9248, { 0, 0, 0, 1e+09, 0.1 } } },
+        { FLAT | DEEP, 19600, 1, 40, USUAL, { 1000, 14, 13, 0, 58120, 7680, { 1, 0, -7982177.6, 16015777, 56.238333 } } },
+        { FLAT | DEEP, 19700, 1, 40, ADMM, { 1000, 1, 20, 0, 13144, 10784,
+          { 1.1081341, 0, -1609618.2, 1.0033636e+09, 107.94409 } } },
+        { FLAT | DEEP, 19800, 1, 40, UNSCALED, { 10000, 75, 1000, 0, 1271750, 9152,
+          { 7.5810807e+08, 1.5566649, -8.027906e+08, 2e+09, 1e-06 } } }
+    };
+    COMPARE(rows, solve_it);
+}
+
+TEST(drawn_projections_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { DIAGONAL, 21000, 12, 0, DYKSTRA, { 12, 12, 255, 0, 122513, 65088,
+          { 17.655044, 25.458046, -12.536403, 5.1842199e-08, 0 } } },
+        { DIAGONAL | TIED, 21100, 12, 0, DYKSTRA, { 1000020, 12, 555, 0, 395658, 61200,
+          { 23.470979, 10.755517, -11.165345, 6.1133741, 0 } } },
+        { DIAGONAL | EMPTY, 21200, 12, 0, DYKSTRA, { 120000, 12, 6000, 0, 2686043, 77768,
+          { 120.56987, 22231.597, 884.44528, 65577.627, 0 } } },
+        { ROUND, 21300, 12, 0, DYKSTRA, { 12000000, 12, 0, 0, 0, 86056, { 0, 0, 0, 0, 0 } } },
+        { LINEAR, 21400, 12, 0, DYKSTRA, { 2040024, 12, 3364, 0, 1530627, 70872,
+          { 3.1055519e+12, 7.787129, -7.5985882e+12, 4e+09, 0 } } },
+        { DIAGONAL | DEEP, 21500, 12, 0, DYKSTRA, { 12000000, 12, 0, 0, 0, 75344, { 0, 0, 0, 0, 0 } } },
+        { DIAGONAL, 22000, 12, 2, DYKSTRA, { 30, 12, 1083, 0, 576713, 65248,
+          { 18.267124, 15.426118, -13.159711, 0.00033497171, 0 } } },
+        { DIAGONAL | TIED, 22100, 12, 2, DYKSTRA, { 2000010, 12, 447, 0, 245907, 73528,
+          { 23.885564, 10.597405, -22.040751, 557.84428, 0 } } },
+        { DIAGONAL | EMPTY, 22200, 12, 2, DYKSTRA, { 120000, 12, 6000, 0, 2600038, 74880,
+          { 93.934863, 14807.022, 161.5365, 58871.489, 0 } } },
+        { DIAGONAL, 23000, 12, 40, DYKSTRA, { 1020027, 12, 2072, 0, 1136386, 70216,
+          { 243581.43, 4446.1308, -7.7944584, 4.3523217e+09, 0 } } },
+        { DIAGONAL | TIED, 23100, 12, 40, DYKSTRA, { 7000005, 12, 21, 0, 5408, 63360,
+          { 92382.535, 92.138376, -25.210349, 5.0084199e+09, 0 } } },
+        { LINEAR | EMPTY, 23200, 12, 40, DYKSTRA, { 5060010, 12, 3500, 0, 984086, 73328,
+          { 1.8662113e+47, 1.5981707e+60, -3.4811487e+82, 1.9000135e+10, 0 } } },
+        { LINEAR, 24000, 12, 4, DYKSTRA, { 1070013, 12, 4006, 0, 1558343, 61008,
+          { 2.0611923e+12, 1279.4477, -8.6015528e+11, 1.2e+10, 0 } } },
+        { LINEAR | TIED, 24100, 12, 4, DYKSTRA, { 4020024, 12, 2008, 0, 845512, 66680,
+          { 2.6660311e+16, 12518.784, -3.683144e+20, 1.3046313e+10, 0 } } },
+        { FLAT, 24200, 12, 4, DYKSTRA, { 11010000, 12, 500, 0, 116001, 58912,
+          { 55512290, 0.013657793, -2223.5504, 115647.86, 0 } } }
+    };
+    COMPARE(rows, solve_it);
+}
+
+TEST(drawn_programs_with_little_to_spend_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { ROUND, 25000, 1, 0, USUAL, { 900001, 18, 43, 0, 81234, 40960,
+          { 5.9631794, 0.022987234, -5.4674257, 8.8801348, 0.6 } } },
+        { ROUND, 25100, 1, 0, ADMM, { 900001, 4, 44, 1, 30239, 38080, { 2.6516971, 0, -1.1940613, 10.396613, 0.36 } } },
+        { ROUND, 25200, 1, 0, DENSE, { 900001, 103, 104, 1, 143605, 15120,
+          { 2.1876376, 0.0099932772, -0.045571405, 0.1133359, 1 } } },
+        { ROUND, 25300, 1, 0, BY_CG, { 700012, 12, 139, 1, 739046, 24800,
+          { 13.108894, 0.041924181, -12.106345, 7.3328792, 1 } } },
+        { LINEAR, 25400, 1, 0, USUAL, { 900001, 14, 34, 0, 49034, 36400, { 2.5623661, 2.0452365, 0.4982413, 5.1252169, 1 } } },
+        { LINEAR, 25500, 1, 0, ADMM, { 900001, 8, 309, 1, 173831, 43840, { 5.1952797, 5.5611021, 2.1062067, 6.1626038, 1 } } },
+        { LINEAR, 25600, 1, 0, DENSE, { 10, 6, 5, 0, 11102, 15680, { 4.1057385e-10, 0.001, 0, 8.2109414e-15, 1 } } },
+        { LINEAR, 25700, 1, 0, BY_CG, { 800011, 9, 278, 1, 368826, 22720, { 7.9832856, 8.801165, -3.3823426, 6.3776107, 1 } } },
+        { FLAT | TIED, 25800, 1, 0, USUAL, { 900001, 9, 26, 0, 35542, 35520,
+          { 1.4493573, 18.607844, -1.8031012, 12.81544, 1 } } },
+        { FLAT | TIED, 25900, 1, 0, ADMM, { 900001, 6, 78, 1, 93258, 52960,
+          { 6.9230447, 7.6132454, 8.408615, 35.384902, 1 } } },
+        { FLAT | TIED, 26000, 1, 0, DENSE, { 900001, 124, 164, 1, 795948, 26800,
+          { 8.0512634, 15.061031, -9.4108802, 5.4298081, 1 } } },
+        { FLAT | TIED, 26100, 1, 0, BY_CG, { 400015, 17, 174, 3, 206180, 17040,
+          { 0.69523987, 0, -0.016039835, 0.17411633, 0.84 } } },
+        { FLAT | DEEP, 26200, 1, 0, USUAL, { 901000, 5, 4, 0, 32082, 49280,
+          { 1.2270527, 0, -2389646.1, 4781794.9, 126.96725 } } },
+        { FLAT | DEEP, 26300, 1, 0, ADMM, { 901000, 1, 20, 0, 33795, 56640,
+          { 2.1011297, 0, -109921.08, 1216372.7, 34.966189 } } },
+        { FLAT | DEEP, 26400, 1, 0, DENSE, { 802000, 43, 75, 0, 609342, 30960,
+          { 78097699, 2.232944, -1.6566603e+08, 3.4674772e+08, 177.21753 } } },
+        { FLAT | DEEP, 26500, 1, 0, BY_CG, { 604000, 8, 79, 0, 256128, 16640,
+          { 40933817, 0, -35970195, 73582606, 337.69894 } } },
+        { LINEAR | EMPTY, 27000, 1, 0, USUAL, { 900100, 5, 4, 0, 45094, 53760,
+          { 0, 1.7112144, -0.72723894, 43225.266, 264.56769 } } },
+        { LINEAR | EMPTY, 27100, 1, 0, ADMM, { 901000, 1, 20, 0, 32255, 57120,
+          { 1.03545, 0, -32920400, 65840891, 69.074514 } } },
+        { LINEAR | EMPTY, 27200, 1, 0, DENSE, { 800200, 224, 305, 0, 1916759, 30080,
+          { 4.2742018, 16.157027, -0.44898587, 602.09706, 100.55727 } } },
+        { LINEAR | EMPTY, 27300, 1, 0, CG_SHORT, { 901000, 8, 192, 0, 495072, 24160,
+          { 731.18844, 22.171134, -1009.435, 3901.0892, 77.115832 } } }
+    };
+    COMPARE(rows, spend_it);
+}
+
+TEST(drawn_programs_spent_near_a_look_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { FLAT | EMPTY, 27500, 1, 0, ADMM, { 8000100, 81, 2935, 0, 3400748, 580608,
+          { 177.30702, 1831.6413, -97.894569, 1832.8517, 79.813405 } } },
+        { FLAT | EMPTY, 27600, 1, 0, BY_CG, { 4302900, 130, 7766, 0, 30623466, 184032,
+          { 204.05044, 2013.8915, 10.199258, 3588.747, 127366.78 } } },
+        { FLAT | DEEP, 27700, 1, 0, ADMM, { 8001000, 1, 20, 0, 153987, 426384,
+          { 1.7092901, 0, -2536575, 5961219.8, 101.81776 } } },
+        { FLAT | DEEP, 27800, 1, 0, BY_CG, { 8001000, 1, 30, 0, 45756, 136728,
+          { 1.2876382, 0, -303.99161, 713.31267, 99.50056 } } },
+        { ROUND, 27900, 1, 0, ADMM, { 81, 2021, 8100, 81, 11041382, 460080,
+          { 148.70835, 81.95465, -76.799716, 3.3732136e-07, 8.1 } } },
+        { ROUND, 28000, 1, 0, BY_CG, { 1100277, 83, 2146, 1, 2140910, 128952,
+          { 111.66229, 64.649366, -129.09359, 0.0037234659, 8.1 } } }
+    };
+    COMPARE(rows, spend_near);
+}
+
+TEST(drawn_projections_with_little_to_spend_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { DIAGONAL, 28000, 4, 0, DYKSTRA, { 1400170, 40, 1010, 0, 660320, 69680,
+          { 71.21552, 41.567748, -39.37059, 9.1298796, 0 } } },
+        { DIAGONAL | TIED, 28100, 4, 0, DYKSTRA, { 10700122, 40, 99, 0, 48790, 36560,
+          { 61.660003, 45.330898, -51.976536, 5.8157201, 0 } } },
+        { DIAGONAL | EMPTY, 28200, 4, 0, DYKSTRA, { 3280000, 40, 11012, 0, 3727622, 42240,
+          { 165.40994, 20607.946, 319.10449, 122824.43, 0 } } }
+    };
+    COMPARE(rows, spend_it);
+}
+
+TEST(drawn_programs_from_a_guess_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { ROUND, 29000, 1, 0, USUAL, { 16, 137, 398, 14, 1388979, 107008,
+          { 33.845963, 6.0073274, -71.227906, 1.6037924e-10, 1.6 } } },
+        { ROUND, 29100, 1, 0, ADMM, { 16, 91, 272, 16, 1206350, 125440,
+          { 33.598808, 0.81850975, -178.47808, 2.7050547e-10, 1.6 } } },
+        { ROUND, 29200, 1, 0, INTERIOR, { 16, 124, 88, 4, 367832, 53504,
+          { 20.920215, 67.325419, -19.348182, 1.0953392e-11, 1.6 } } },
+        { ROUND, 29300, 1, 0, DENSE, { 16, 110, 254, 16, 946970, 35712,
+          { 25.837652, 15.370878, -32.215515, 3.759937e-13, 1.6 } } },
+        { ROUND, 29400, 1, 0, PLAIN, { 70009, 39, 246, 0, 454628, 116480,
+          { 26.367501, 17.112868, -54.18894, 13.336082, 1.6 } } },
+        { LINEAR, 29500, 1, 0, USUAL, { 16, 75, 366, 13, 225874, 50688,
+          { 12.111555, 0.56487472, 0.31105251, 4.3816574e-14, 1.6 } } },
+        { LINEAR, 29600, 1, 0, ADMM, { 16, 67, 832, 16, 1129739, 96256,
+          { 21.994889, 29.266246, -20.764824, 1.1450327e-13, 3.2 } } },
+        { LINEAR, 29700, 1, 0, INTERIOR, { 16, 80, 64, 4, 224160, 51712,
+          { 24.820866, 1.2810501e-13, 0, 1.3451639e-13, 1.6 } } },
+        { LINEAR, 29800, 1, 0, DENSE, { 16, 16, 84, 12, 10608, 18688, { 9.4185762, 0, 0, 0, 1.6 } } },
+        { LINEAR, 29900, 1, 0, PLAIN, { 16, 16, 84, 0, 6492, 24320, { 5.7198829, 0, 0, 0, 1.6 } } },
+        { FLAT | TIED, 30000, 1, 0, USUAL, { 16, 71, 203, 13, 529770, 75776,
+          { 47.184222, 12.166819, -2.8345774, 5.7007416e-13, 1.6 } } },
+        { FLAT | TIED, 30100, 1, 0, ADMM, { 16, 54, 252, 16, 1149108, 118528,
+          { 17.698093, 39.508059, 11.141533, 3.2696523e-13, 1.6 } } },
+        { FLAT | TIED, 30200, 1, 0, INTERIOR, { 16, 152, 88, 4, 1025852, 100608,
+          { 29.736904, 24.096925, -14.870522, 7.9687378e-12, 1.6 } } },
+        { FLAT | TIED, 30300, 1, 0, DENSE, { 16, 68, 168, 12, 331988, 30848,
+          { 22.737473, 0, -14.025913, 1.3316759e-11, 1.6 } } },
+        { FLAT | TIED, 30400, 1, 0, PLAIN, { 60019, 24, 191, 0, 198624, 83712,
+          { 29.998222, 14.132253, -48.63086, 13.49747, 1.6 } } },
+        { FLAT | EMPTY, 30500, 1, 0, USUAL, { 11500, 50, 557, 0, 809155, 94976,
+          { 2.0655803, 64.711702, -60.594855, 783643.34, 39381.038 } } },
+        { FLAT | EMPTY, 30600, 1, 0, ADMM, { 21400, 41, 432, 0, 290424, 51200,
+          { 95.5614, 252.81048, 3.6792855, 2124.2146, 54502.144 } } },
+        { FLAT | EMPTY, 30700, 1, 0, INTERIOR, { 80800, 392, 128, 0, 4938912, 91648,
+          { 8.9005369, 38.384513, 4.096858, 5635097.2, 959.93615 } } },
+        { FLAT | EMPTY, 30800, 1, 0, DENSE, { 51100, 167, 474, 0, 1772739, 35072,
+          { 18.606668, 35.246514, -41.03355, 38.545096, 14607.43 } } },
+        { FLAT | EMPTY, 30900, 1, 0, PLAIN, { 80800, 46, 352, 0, 287450, 71424,
+          { 27.859692, 50.16408, 49.961446, 2.2817681e+08, 530.69964 } } },
+        { LINEAR | DEEP, 31000, 1, 0, USUAL, { 25000, 26, 91, 0, 145584, 32256,
+          { 1310416, 0, -73967986, 1.4793598e+08, 150001.6 } } },
+        { LINEAR | DEEP, 31100, 1, 0, ADMM, { 16000, 28, 112, 0, 139072, 94976,
+          { 16.433247, 0, -62658572, 1.4359899e+08, 130131.89 } } },
+        { LINEAR | DEEP, 31200, 1, 0, INTERIOR, { 52000, 256, 28, 0, 849228, 45824,
+          { 8937959.1, 0.5645239, -19799504, 39599011, 1215.5751 } } },
+        { LINEAR | DEEP, 31300, 1, 0, DENSE, { 25000, 60, 217, 0, 933909, 57088,
+          { 1650626.9, 6.7556772, -32892017, 1.0010062e+09, 87392.5 } } },
+        { LINEAR | DEEP, 31400, 1, 0, PLAIN, { 34000, 24, 91, 0, 90372, 70400,
+          { 447157.11, 1.2365076, -8852129.6, 17704300, 90253.468 } } },
+        { FLAT, 31500, 1, 0, BY_CG, { 16, 63, 292, 16, 2259548, 32768,
+          { 49.830912, 1.5331431, -20.614634, 1.0883391e-13, 1.6 } } },
+        { DIAGONAL, 31600, 2, 0, DYKSTRA, { 80024, 32, 312, 0, 138176, 26240,
+          { 37.455721, 36.263659, -10.009722, 2.7077877, 0 } } },
+        { DIAGONAL | TIED, 31700, 2, 0, DYKSTRA, { 176, 32, 1648, 0, 468864, 23808,
+          { 54.870621, 17.838184, -52.813721, 3.5538466e-05, 0 } } }
+    };
+    COMPARE(rows, guess_it);
+}
+
+TEST(drawn_programs_from_far_away_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { ROUND, 40000, 1, 0, ADMM, { 7000001, 693, 870, 1, 7300636, 83328,
+          { 1.0812227e+281, 1.0179498e+281, 5e+30, 1.7e+10, 0.8 } } },
+        { ROUND, 40100, 1, 0, DENSE_ADMM, { 7000001, 275, 470, 1, 4701224, 23680,
+          { 8.2941731e+280, 5.3843687e+280, 5e+30, 1.7e+10, 1.2 } } },
+        { ROUND, 40200, 1, 0, PLAIN_ADMM, { 8000000, 9, 570, 0, 423312, 50304,
+          { 6.5914577e+280, 8.8874357e+280, 5.3491658e+117, 2e+10, 1.2 } } },
+        { ROUND, 40300, 1, 0, USUAL, { 7000001, 91, 177, 0, 398482, 50048,
+          { 9.5157591e+280, 7.0023212e+280, 5e+30, 1.7e+10, 1.2 } } },
+        { ROUND, 40400, 1, 0, CG_SHORT, { 7010000, 99, 1070, 0, 9042636, 22720,
+          { 1.0177374e+281, 6.9182671e+280, 8.1475309e+247, 2e+10, 0.704 } } },
+        { LINEAR, 40500, 1, 0, ADMM, { 8000000, 8, 80, 0, 32184, 36224,
+          { 5.8790451e+280, 1.1893749e+281, 8.9502221e+279, 1.9e+10, 0.8 } } },
+        { LINEAR, 40600, 1, 0, DENSE_ADMM, { 8, 8, 200, 8, 53974, 12352, { 2.7497299e+281, 0, 0, 8e+09, 0.8 } } },
+        { LINEAR, 40700, 1, 0, PLAIN_ADMM, { 8000000, 8, 80, 0, 37536, 34048,
+          { 1.0714207e+281, 6.6489654e+280, 1.3295605e+280, 1.9e+10, 0.8 } } },
+        { LINEAR, 40800, 1, 0, USUAL, { 8000000, 8, 80, 0, 18840, 23680,
+          { 9.0835433e+280, 6.9651631e+280, 3.8039961e+280, 1.9e+10, 0.8 } } },
+        { LINEAR, 40900, 1, 0, CG_SHORT, { 8000000, 8, 80, 0, 38160, 14912,
+          { 4.6335504e+280, 6.4413683e+280, 3.0094635e+280, 1.9e+10, 0.8 } } },
+        { FLAT | TIED, 41000, 1, 0, ADMM, { 7010000, 20, 1070, 0, 893170, 27392,
+          { 7.6359746e+280, 3.3712699e+280, 1.5371207e+245, 2e+10, 0.8 } } },
+        { FLAT | TIED, 41100, 1, 0, DENSE_ADMM, { 7010000, 20, 1070, 0, 2329672, 22336,
+          { 1.1504366e+281, 9.0933585e+280, -1.0622459e+245, 2e+10, 0.8 } } },
+        { FLAT | TIED, 41200, 1, 0, PLAIN_ADMM, { 7010000, 9, 1070, 0, 1072939, 59648,
+          { 9.6275575e+280, 8.7353985e+280, 1.0431218e+249, 2e+10, 0.72 } } },
+        { FLAT | TIED, 41300, 1, 0, USUAL, { 7000001, 25, 175, 0, 455286, 54912,
+          { 8.0597992e+280, 5.8539624e+280, 5e+30, 1.7e+10, 0.72 } } },
+        { FLAT | TIED, 41400, 1, 0, CG_SHORT, { 7010000, 31, 1070, 0, 1897387, 20736,
+          { 5.373366e+280, 1.1109091e+281, 3.1466891e+243, 2.2e+10, 0.8 } } }
+    };
+    COMPARE(rows, far_it);
+}
+
+TEST(drawn_programs_that_fall_along_a_line_are_refused_as_written_here)
+{
+    static const drawn rows[] = {
+        { ROUND | SADDLE, 45000, 24, 0, PLAIN, { 114, 102, 84, 0, 463025, 228192,
+          { 25.259833, 72.470578, -46.09167, 0.00024222665, 1.8 } } },
+        { ROUND | SADDLE, 45100, 24, 0, DENSE, { 84, 703, 424, 18, 5679709, 114992,
+          { 30.153951, 82.791981, -38.010907, 7.8269341e-13, 2 } } },
+        { ROUND | SADDLE, 45200, 24, 0, BY_CG, { 99, 110, 890, 19, 5039141, 98064,
+          { 26.902819, 11.928349, -39.101414, 3.0530764e-13, 3.1 } } },
+        { FLAT | SADDLE, 45300, 24, 0, PLAIN, { 354, 9, 7, 0, 35744, 191816,
+          { 2.8755304, 1.5029708, -1.3405603, 2.8271847e-06, 0.2 } } },
+        { FLAT | SADDLE, 45400, 24, 0, DENSE, { 354, 34, 24, 1, 701821, 109024,
+          { 4.8266143, 4.6183917, -0.61269353, 6.8805557e-08, 0.2 } } },
+        { FLAT | SADDLE, 45500, 24, 0, BY_CG, { 354, 7, 130, 2, 1518686, 112992,
+          { 1.4350204, 1.4522694, -1.1495318, 5.7947106e-08, 0.2 } } },
+        { DIAGONAL | SADDLE, 45600, 24, 0, PLAIN, { 54, 134, 112, 0, 572102, 196216,
+          { 30.517605, 174.74481, -26.131894, 9.6946052e-05, 2.2 } } },
+        { DIAGONAL | SADDLE, 45700, 24, 0, DENSE, { 54, 766, 454, 19, 5401749, 115392,
+          { 30.159429, 46.333518, -20.282963, 1.3462691e-12, 2.2 } } },
+        { DIAGONAL | SADDLE, 45800, 24, 0, BY_CG, { 99, 123, 940, 19, 2584806, 98320,
+          { 26.335544, 12.095163, -16.109051, 3.0441438e-13, 2.3 } } }
+    };
+    COMPARE(rows, solve_it);
+}
+
+TEST(drawn_programs_that_change_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { ROUND, 32003, 1, 0, USUAL, { 5, 22, 258, 4, 198826, 4096,
+          { 6.2037984, 10.791926, 6.3727163, 1.3602946e-12, 2.200005 } } },
+        { ROUND, 32103, 1, 0, ADMM, { 5, 17, 360, 5, 481436, 6960,
+          { 9.6547036, 11.64366, -28.253331, 2.9163448e-13, 0.600005 } } },
+        { ROUND, 32203, 1, 0, DENSE, { 104, 36, 281, 4, 324834, 3088,
+          { 3.1347096, 30.930104, -3.280342, 6.9924129, 6091.0156 } } },
+        { ROUND, 32303, 1, 0, PLAIN, { 104, 33, 316, 0, 559013, 7152,
+          { 6.3942393, 11.669915, -7.6428638, 245323.93, 86.366432 } } },
+        { ROUND, 32403, 1, 0, PLAIN_ADMM, { 10004, 14, 1200, 0, 756822, 5024,
+          { 8.6068953, 190.37758, 12.11258, 6.6591745, 2.553125 } } },
+        { ROUND, 32503, 1, 0, RELAXED, { 5, 13, 310, 5, 275032, 4272,
+          { 4.0349443, 55.280959, 0.59997902, 1.2667613e-14, 6.000001 } } },
+        { LINEAR, 32603, 1, 0, USUAL, { 5, 20, 408, 4, 609843, 6976,
+          { 5.8910888, 3.0007471, -0.69531448, 1.2162641e-13, 2.600005 } } },
+        { LINEAR, 32703, 1, 0, ADMM, { 2003, 10, 130, 3, 208858, 5376,
+          { 4.841012, 3.3649531, -5415582.4, 11425104, 84.190414 } } },
+        { LINEAR, 32803, 1, 0, DENSE, { 104, 41, 221, 4, 364132, 2936,
+          { 5.6321796, 6.4799725, 1.0767622, 5.5122975, 60.622011 } } },
+        { LINEAR, 32903, 1, 0, PLAIN, { 5, 9, 64, 0, 27228, 3056, { 20.609384, 1.9775903, 0, 2.7499626e-06, 2.200001 } } },
+        { LINEAR, 33003, 1, 0, PLAIN_ADMM, { 1004, 4, 140, 0, 26992, 2480,
+          { 2.307471, 13.103265, -38752.658, 77506.629, 50.051868 } } },
+        { LINEAR, 33103, 1, 0, RELAXED, { 11003, 3804, 1370, 3, 4290023, 3120,
+          { 166149.67, 0.57237667, -122.5975, 3164.2961, 5387.9722 } } },
+        { FLAT | TIED, 33203, 1, 0, USUAL, { 5, 28, 87, 5, 88997, 2392,
+          { 6.1815849, 4.1601525, -4.8818878, 4.1540639e-14, 2.200001 } } },
+        { FLAT | TIED, 33303, 1, 0, ADMM, { 5, 13, 120, 5, 200147, 4448,
+          { 1.3140114, 6.2342669, -2.3283439, 5.8307951e-15, 2.200001 } } },
+        { FLAT | TIED, 33403, 1, 0, DENSE, { 5, 44, 122, 5, 543246, 3120,
+          { 4.6870312, 88.549033, -3.2088992, 1.5518431e-13, 2.200001 } } },
+        { FLAT | TIED, 33503, 1, 0, PLAIN, { 2003, 6, 92, 0, 72930, 5168,
+          { 9.1092962, 1.3335441e-07, -48523056, 97046084, 127.40964 } } },
+        { FLAT | TIED, 33603, 1, 0, PLAIN_ADMM, { 1004, 6, 720, 0, 1059148, 9216,
+          { 27.604117, 11.401317, -20559839, 41119674, 55.178361 } } },
+        { FLAT | TIED, 33703, 1, 0, RELAXED, { 5, 12, 150, 5, 153679, 3728,
+          { 2.2685696, 4.4094599, 0.72877269, 2.1956899e-15, 22.000001 } } },
+        { FLAT | EMPTY, 33803, 1, 0, USUAL, { 401, 47, 523, 1, 761282, 6304,
+          { 5.2530495, 9.1414641, -4281168.5, 9351881.8, 21429.877 } } },
+        { FLAT | EMPTY, 33903, 1, 0, ADMM, { 1400, 4, 210, 0, 146636, 5392,
+          { 1.8905391, 4.4721361, -307937.07, 615958.71, 711.25541 } } },
+        { FLAT | EMPTY, 34003, 1, 0, DENSE, { 500, 139, 1312, 0, 2116798, 3192,
+          { 0, 5.3153195, -3.8295182, 505.4311, 6980.4613 } } },
+        { FLAT | EMPTY, 34103, 1, 0, PLAIN, { 1400, 13, 248, 0, 198127, 4736,
+          { 1.5704344, 6.9282032, -6626.3664, 15196.013, 1582.2333 } } },
+        { FLAT | EMPTY, 34203, 1, 0, PLAIN_ADMM, { 2300, 3, 840, 0, 688221, 6400,
+          { 3.1343427, 5.1961524, -21943627, 43887277, 496.70588 } } },
+        { FLAT | EMPTY, 34303, 1, 0, RELAXED, { 500, 5, 180, 0, 120006, 5392,
+          { 0, 8.660254, -13526.446, 55156.019, 18916.006 } } }
+    };
+    COMPARE(rows, change_it);
+}
+
+TEST(up_to_ten_times_off_is_inaccurate)
+{
+    near_eps(ADMM, ROUND);
+    near_eps(DENSE_ADMM, FLAT);
+    near_eps(DYKSTRA, DIAGONAL);
+}
+
+/* An objective b and a gap 2 b, both numbers; their sum is none. The guess is judged. */
+TEST(figures_whose_sum_overflows_are_no_answer)
+{
+    static const sp_real q = R(0.8e154), x = R(1e154);
+    const sp_qp qp = { 1, 0, NULL, NULL, NULL, &q, NULL, NULL, NULL, NULL, NULL };
+    sp_qp_settings set = asked(PLAIN_ADMM);
+    sp_qp_result r;
+    set.budget = 1;
+    CHECK_INT(sp_qp_solve(&qp, &set, &test_arena, &x, NULL, &r), SP_OK);
+    CHECK_INT(r.status, SP_QP_NUMERICAL);
+}
+#endif
+
+TEST_LIST(programs)
+#if defined TALLY_ALL && COUNTED
+    RUN(drawn_programs_take_the_work_written_here)
+    RUN(drawn_programs_asked_otherwise_take_the_work_written_here)
+    RUN(drawn_programs_of_many_equations_take_the_work_written_here)
+    RUN(drawn_programs_without_solution_take_the_work_written_here)
+    RUN(drawn_programs_of_any_scale_take_the_work_written_here)
+    RUN(drawn_programs_of_extreme_scale_take_the_work_written_here)
+    RUN(drawn_projections_take_the_work_written_here)
+    RUN(drawn_programs_with_little_to_spend_take_the_work_written_here)
+    RUN(drawn_programs_spent_near_a_look_take_the_work_written_here)
+    RUN(drawn_projections_with_little_to_spend_take_the_work_written_here)
+    RUN(drawn_programs_from_a_guess_take_the_work_written_here)
+    RUN(drawn_programs_from_far_away_take_the_work_written_here)
+    RUN(drawn_programs_that_fall_along_a_line_are_refused_as_written_here)
+    RUN(drawn_programs_that_change_take_the_work_written_here)
+    RUN(up_to_ten_times_off_is_inaccurate)
+    RUN(figures_whose_sum_overflows_are_no_answer)
+#endif
+TEST_END
