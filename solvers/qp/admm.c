@@ -274,7 +274,9 @@ SP__NOINLINE_SMALL static int sp__qp_semidefinite(sp__qp *w)
     if (diagonal) return 1;
     for (int32_t i = 0; i < w->qp.m; i++) w->kkt.row[i] = 0;
     sp__ruiz_norms_P(&w->qp, w->D, w->c, w->kkt.b);
-    w->kkt.sigma = sp__largest(w->kkt.b, w->qp.n) * ((sp_real)1e-9 + (sp_real)4 * SP_EPSILON * (sp_real)w->qp.n);
+    const sp_real largest = sp__largest(w->kkt.b, w->qp.n);
+    if (!(largest > 0)) return 1;                       /* it stores zeros */
+    w->kkt.sigma = largest * ((sp_real)1e-9 + (sp_real)4 * SP_EPSILON * (sp_real)w->qp.n);
     sp__kkt_factor(w);
     if (SP__WITH_QP_CG && sp__qp_backend(&w->set) == SP_QP_CG) return sp__kkt_cg_semidefinite(w);
     return w->kkt.broken == 0;

@@ -270,6 +270,32 @@ TEST(a_column_without_its_diagonal_is_no_bowl)
     }
 }
 
+/* It was refused as indefinite. */
+TEST(a_bowl_of_stored_zeros_is_flat)
+{
+    static const int32_t p[] = { 0, 1, 2 }, i[] = { 0, 0 };
+    static const sp_real zero[] = { 0, 0 };
+    static const sp_qp_backend backend[] = { SP_QP_SPARSE, SP_QP_DENSE,
+#ifndef SP_QP_NO_CG
+                                             SP_QP_CG
+#endif
+    };
+    sp_qp flat = plain;
+    flat.Pp = p;
+    flat.Pi = i;
+    flat.Px = zero;
+    for (size_t k = 0; k < sizeof backend / sizeof *backend; k++) {
+        sp_qp_settings set = sp_qp_default();
+        sp_arena a = test_arena;
+        sp_qp_result r;
+        set.backend = backend[k];
+        if (!CHECK_INT(sp_qp_solve(&flat, &set, &a, NULL, NULL, &r), SP_OK)) continue;
+        CHECK_INT(r.status, SP_QP_SOLVED);
+        CHECK_WITHIN(r.x[0], 1, TOL(1e-4, 1e-3));       /* min -x of x + y <= 1, y >= 0 */
+        CHECK_WITHIN(r.x[1], 0, TOL(1e-4, 1e-3));
+    }
+}
+
 #ifndef SP_NO_DYKSTRA
 /* Projections told to end: by their number, by a budget; nearly solved, not solved, and with nothing to give back. */
 TEST(projections_end_where_they_are_told_to)
@@ -311,6 +337,7 @@ TEST_LIST(program)
     RUN(a_program_is_factored_anew_where_a_row_changes_its_kind)
     RUN(a_guess_of_unknowns_or_of_multipliers_changes_no_answer)
     RUN(a_column_without_its_diagonal_is_no_bowl)
+    RUN(a_bowl_of_stored_zeros_is_flat)
 #ifndef SP_NO_DYKSTRA
     RUN(projections_end_where_they_are_told_to)
 #endif
