@@ -151,10 +151,10 @@ static sp_real sp__shadow_edges(const sp__touch *t, sp_real least, sp_real flat)
             if (!sp__edge_is_first(t, u) || !sp__edge_is_first(t, v)) continue;
             sp__sub3(t->scene->vertex[u[1]], t->scene->vertex[u[0]], d);
             sp__sub3(t->scene->vertex[v[1]], t->scene->vertex[v[0]], e);
-            const sp_real size = sp__norm3(d) * sp__norm3(e);
+            const sp_real blur = t->now.noise * (sp__norm3(d) + sp__norm3(e));
             sp__cross3(d, e, d);
             const sp_real length = sp__norm3(d);
-            if (!(length > (sp_real)1e-4 * size)) continue;         /* parallel: no axis of its own */
+            if (!(length > blur)) continue;                         /* parallel: no axis of its own */
             sp__scale3((sp_real)1 / length, d, d);
             const sp_real x = sp__shadow(t, d);
             if (x < least) least = x;
@@ -187,14 +187,14 @@ static sp_real sp__depth_edges(sp__touch *t, int32_t inner, int32_t outer, sp_re
 {
     const sp__body *k = &t->all.body[inner];
     const int64_t work = (int64_t)k->edges * t->scene->block[outer].faces;
-    const int steps = work < 20000 ? 8 : 2;
+    const int steps = work < 20000 ? 8 : 2, closed = t->scene->block[inner].volume > 0;     /* each edge has an opposite */
     sp_real most = 0;
     if (sp__inside_large(t, outer) && t->inside.block != outer + 1) sp__inside_build(t, outer);
     for (int32_t e = k->edge; e < k->edge + k->edges; e++) {
         const sp_real *p = t->scene->vertex[t->all.bound[e][0]], *q = t->scene->vertex[t->all.bound[e][1]];
         sp_real s[2], x[3];
         most = sp__max(most, sp__depth(t, outer, p, flat));
-        if (!sp__edge_is_first(t, t->all.bound[e])) continue;
+        if (closed && !sp__edge_is_first(t, t->all.bound[e])) continue;
         sp__edge_in_box(p, q, &t->all.body[outer], s);
         for (int i = 1; i < steps && s[0] < s[1]; i++) {
             const sp_real at = s[0] + (s[1] - s[0]) * (sp_real)i / (sp_real)steps;
