@@ -177,17 +177,13 @@ static sp_settings asked(int how)
     return set;
 }
 
-/* Bytes that a check asks for, and of what goes with it. */
-static size_t asks(const sp_scene *s, const sp_settings *set)
+/* Bytes that a call asks for, its verification, and to tell these. */
+static size_t asks(const sp_scene *s, sp_memory_for what, sp_memory_for verify, const sp_settings *set)
 {
-    static const sp_memory_for what[] = { SP_FOR_PLAN, SP_FOR_VERIFY, SP_FOR_WORK };
-    size_t sum = sp_memory_scratch(s, SP_FOR_CHECK, set) + sp_memory_scratch(s, SP_FOR_PLAN, set);
-    for (int k = 0; k < 3; k++) {
-        size_t bytes = 0;
-        CHECK_INT(sp_memory(s, what[k], set, test_arena, &bytes), SP_OK);
-        sum += bytes;
-    }
-    return sum;
+    size_t bytes = 0, more = 0;
+    CHECK_INT(sp_memory(s, what, set, test_arena, &bytes), SP_OK);
+    CHECK_INT(sp_memory(s, verify, set, test_arena, &more), SP_OK);
+    return bytes + more + sp_memory_scratch(s, what, set) + sp_memory_scratch(s, verify, set);
 }
 
 /* Why each effect was on or off, and why it is not coupled. */
@@ -201,7 +197,7 @@ static int why(const sp_result *r)
 static void check_it(const drawn *d, const sp_scene *s, sum *t)
 {
     const sp_settings set = asked(d->how);
-    const size_t scratch = asks(s, &set);
+    const size_t bytes = asks(s, SP_FOR_PLAN, SP_FOR_VERIFY, &set) + asks(s, SP_FOR_WORK, SP_FOR_CHECK, &set);
     sp_result r;
     if (!CHECK_INT(sp_check(s, &set, &test_arena, &r), SP_OK)) return;
     double help = (double)r.coupled.tension_ratio;
@@ -209,7 +205,7 @@ static void check_it(const drawn *d, const sp_scene *s, sum *t)
     const double found[] = { (double)r.imbalance, (double)r.least_imbalance, tally_size(r.f, 3 * (size_t)s->count.points),
                              tally_size(r.coupled.dq ? r.coupled.dq : r.dq, 6 * (size_t)s->count.blocks), help };
     add(t, answers(d->how < COUPLED ? (int)r.verdict : (int)r.coupled.verdict) + why(&r), &r.spent.total,
-        r.spent.peak_bytes + scratch, found);
+        r.spent.peak_bytes + bytes, found);
 }
 
 /* At loads 1e-3, 1e-5 and 1e-7 within each end of the limit and beyond it. */
@@ -235,9 +231,10 @@ static void limit_it(const drawn *d, const sp_scene *s, sum *t)
     const sp_settings set = asked(d->how);
     sp_limit_result x;
     memset(&x, 0, sizeof x);
+    const size_t bytes = asks(s, SP_FOR_LIMIT, SP_FOR_LIMIT_VERIFY, &set);
     CHECK_INT(sp_limit(s, &set, &test_arena, &x), SP_OK);
     const double found[] = { (double)x.lower, (double)x.upper, (double)x.lowest, (double)x.within, (double)x.least_imbalance };
-    add(t, answers((int)x.kind), &x.cost, x.peak_bytes, found);
+    add(t, answers((int)x.kind), &x.cost, x.peak_bytes + bytes, found);
 }
 
 static void strong_of(const drawn *d, const sp_scene *s, sum *t)
@@ -245,12 +242,13 @@ static void strong_of(const drawn *d, const sp_scene *s, sum *t)
     sp_strong_settings how = sp_strong_settings_default();
     sp_strong_result x;
     sp_result r;
+    const size_t bytes = asks(s, SP_FOR_STRONG, SP_FOR_STRONG_VERIFY, NULL);
     how.starts = 2 + 4 * d->how;
     CHECK_INT(sp_check(s, NULL, &test_arena, &r), SP_OK);
     CHECK_INT(sp_strong(s, NULL, &how, r.f, NULL, &test_arena, &x), SP_OK);
     const double found[] = { (double)x.residual, (double)x.moves, (double)x.margin,
                              tally_size(x.f, 3 * (size_t)s->count.points), tally_size(x.a, 6 * (size_t)s->count.blocks) };
-    add(t, answers((int)x.kind), &x.cost, x.peak_bytes, found);
+    add(t, answers((int)x.kind), &x.cost, x.peak_bytes + bytes, found);
 }
 
 static void slide_it(const drawn *d, const sp_scene *s, sum *t)
@@ -258,13 +256,14 @@ static void slide_it(const drawn *d, const sp_scene *s, sum *t)
     sp_sliding_settings how = sp_sliding_settings_default();
     sp_sliding_result x;
     sp_limit_result limit;
+    const size_t bytes = asks(s, SP_FOR_SLIDING, SP_FOR_SLIDING_VERIFY, NULL);
     how.starts = 2 + 4 * d->how;
     CHECK_INT(sp_limit(s, NULL, &test_arena, &limit), SP_OK);
     CHECK_INT(sp_sliding(s, NULL, &how, &limit, &test_arena, &x), SP_OK);
     const double still = tally_size(x.resting, 3 * (size_t)s->count.points);
     const double found[] = { (double)x.lower, (double)x.lower_strong, (double)x.share + still,
                              tally_size(x.f, 3 * (size_t)s->count.points), tally_size(x.v, 6 * (size_t)s->count.blocks) };
-    add(t, answers((int)x.kind), &x.cost, x.peak_bytes, found);
+    add(t, answers((int)x.kind), &x.cost, x.peak_bytes + bytes, found);
 }
 
 /* Up in the order of their numbers, held where it falls; every third is taken out and set again. how: the first step is all but
@@ -393,15 +392,15 @@ static void touch_it(const drawn *d, const sp_scene *s, sum *t)
 TEST(drawn_checks_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { BYTES, 0, 40, 0, 0, PLANNED, 0, { 47303100, 257, 159, 1, 2201432, 1779728,
+        { BYTES, 0, 40, 0, 0, PLANNED, 0, { 47303100, 257, 159, 1, 2201432, 2213384,
           { 15.265798, 2.6584586, 3040276.9, 47.529142, 662556.27 } } },
-        { BYTES, 40, 40, 1, 0, PLANNED, 0.2, { 43612470, 412, 326, 6, 5560741, 1900200,
+        { BYTES, 40, 40, 1, 0, PLANNED, 0.2, { 43612470, 412, 326, 6, 5560741, 2344260,
           { 15.751994, 2.97408, 2855963.3, 33.415519, 7952644.9 } } },
-        { BYTES, 80, 40, 1, 0, IN_SPACE, 0, { 51442470, 238, 160, 6, 3035424, 1857784,
+        { BYTES, 80, 40, 1, 0, IN_SPACE, 0, { 51442470, 238, 160, 6, 3035424, 2285132,
           { 17.727346, 3.1208641, 2504250.9, 33.238444, 590300.69 } } },
-        { BYTES, 120, 40, 0, 0, IN_8, 0, { 47642650, 293, 193, 2, 2822166, 1787936,
+        { BYTES, 120, 40, 0, 0, IN_8, 0, { 47642650, 293, 193, 2, 2822166, 2230376,
           { 16.811625, 2.337374, 2475563.7, 38.392495, 514312.96 } } },
-        { BYTES, 160, 40, 0, 0, IN_SPACE, 0.2, { 41932740, 643, 565, 9, 5960824, 1710376,
+        { BYTES, 160, 40, 0, 0, IN_SPACE, 0.2, { 41932740, 643, 565, 9, 5960824, 2124324,
           { 14.799076, 2.292468, 2484145.9, 37.907004, 477318.84 } } }
     };
     COMPARE(rows, check_it);
@@ -410,23 +409,23 @@ TEST(drawn_checks_take_the_work_written_here)
 TEST(drawn_checks_of_families_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { SP_FUZZ_STACK, 0, 12, 1, 0, PLANNED, 0.1, { 11400210, 34, 22, 0, 891774, 1000648,
+        { SP_FUZZ_STACK, 0, 12, 1, 0, PLANNED, 0.1, { 11400210, 34, 22, 0, 891774, 1161092,
           { 0.081262699, 0.0056246227, 518859.57, 1.732678, 13089.445 } } },
-        { SP_FUZZ_STACK, 20, 12, 0, 0, PLANNED, 0.3, { 11400390, 60, 48, 4, 1525694, 919168,
+        { SP_FUZZ_STACK, 20, 12, 0, 0, PLANNED, 0.3, { 11400390, 60, 48, 4, 1525694, 1066320,
           { 0.44246294, 0.020200773, 396199.89, 4.1261683, 46805.414 } } },
-        { SP_FUZZ_RUBBLE, 0, 6, 0, 0, PLANNED, 0.2, { 5700060, 34, 28, 0, 3357078, 851080,
+        { SP_FUZZ_RUBBLE, 0, 6, 0, 0, PLANNED, 0.2, { 5700060, 34, 28, 0, 3357078, 1088828,
           { 2.2482411e-14, 0, 207016.81, 0, -6 } } },
-        { SP_FUZZ_RUBBLE, 6, 6, 1, 0, PLANNED, 0.3, { 5700330, 45, 39, 0, 4353562, 857648,
+        { SP_FUZZ_RUBBLE, 6, 6, 1, 0, PLANNED, 0.3, { 5700330, 45, 39, 0, 4353562, 1070024,
           { 0.27584272, 0.017592648, 179932.6, 9.6753118, 17410.482 } } },
-        { SP_FUZZ_RUBBLE, 12, 6, 0, 0, PLANNED, -0.3, { 6660060, 24, 18, 0, 925662, 1004464,
+        { SP_FUZZ_RUBBLE, 12, 6, 0, 0, PLANNED, -0.3, { 6660060, 24, 18, 0, 925662, 1320704,
           { 1.2516995e-14, 0, 160791.67, 0, -6 } } },
-        { SP_FUZZ_ARCH, 0, 6, 1, 0, IN_8, 0.1, { 5700060, 23, 17, 0, 1105821, 771632,
+        { SP_FUZZ_ARCH, 0, 6, 1, 0, IN_8, 0.1, { 5700060, 23, 17, 0, 1105821, 943296,
           { 1.0248452e-14, 0, 354354.24, 0, -6 } } },
-        { SP_FUZZ_ARCH, 8, 6, 0, 0, PLANNED, -0.2, { 6660150, 37, 30, 4, 646475, 702224,
+        { SP_FUZZ_ARCH, 8, 6, 0, 0, PLANNED, -0.2, { 6660150, 37, 30, 4, 646475, 861280,
           { 0.13385587, 0.00050735135, 337189.95, 1.6896534, 1110.6261 } } },
-        { SP_FUZZ_WALL, 0, 5, 0, 0, PLANNED, -0.4, { 5550140, 35, 29, 0, 732694, 624824,
+        { SP_FUZZ_WALL, 0, 5, 0, 0, PLANNED, -0.4, { 5550140, 35, 29, 0, 732694, 783900,
           { 0.051864935, 0.019320389, 1002192.4, 1.4873858, 1329.6509 } } },
-        { SP_FUZZ_WALL, 5, 3, 1, 0, IN_SPACE, 0.2, { 2940030, 23, 20, 0, 1792010, 414992,
+        { SP_FUZZ_WALL, 5, 3, 1, 0, IN_SPACE, 0.2, { 2940030, 23, 20, 0, 1792010, 514304,
           { 8.6091446e-15, 0, 744964.34, 0, -3 } } }
     };
     COMPARE(rows, check_it);
@@ -435,17 +434,17 @@ TEST(drawn_checks_of_families_take_the_work_written_here)
 TEST(drawn_checks_with_strength_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { BYTES, 200, 30, 1, 7, PLANNED, 0, { 34131200, 136, 83, 3, 2233420, 1434704,
+        { BYTES, 200, 30, 1, 7, PLANNED, 0, { 34131200, 136, 83, 3, 2233420, 1781280,
           { 5.7556584, 1.8015329, 1711869.3, 16.692567, 62015.976 } } },
-        { BYTES, 230, 30, 0, 5, COARSE, 0.2, { 26102370, 259, 203, 3, 4272992, 1379880,
+        { BYTES, 230, 30, 0, 5, COARSE, 0.2, { 26102370, 259, 203, 3, 4272992, 1735836,
           { 9.5146431, 2.0080013, 2478123.5, 36.081906, 331759.18 } } },
-        { BYTES, 260, 30, 1, 6, IN_8, 0, { 33941830, 382, 322, 0, 8836013, 1448392,
+        { BYTES, 260, 30, 1, 6, IN_8, 0, { 33941830, 382, 322, 0, 8836013, 1786756,
           { 10.436422, 1.6607611, 1832495, 26.496719, 96627.38 } } },
-        { SP_FUZZ_STACK, 5, 12, 0, 4, PLANNED, 0.2, { 9960660, 162, 150, 0, 9747671, 1057616,
+        { SP_FUZZ_STACK, 5, 12, 0, 4, PLANNED, 0.2, { 9960660, 162, 150, 0, 9747671, 1261784,
           { 0.70207938, 0.065988976, 555498.32, 9.3892403, 21393.39 } } },
-        { SP_FUZZ_RUBBLE, 0, 4, 1, 3, PLANNED, 0.9, { 3320400, 27, 23, 0, 3707532, 659632,
+        { SP_FUZZ_RUBBLE, 0, 4, 1, 3, PLANNED, 0.9, { 3320400, 27, 23, 0, 3707532, 843600,
           { 0.42213547, 0.063847697, 281898.77, 15.776864, 103873.36 } } },
-        { SP_FUZZ_ARCH, 3, 4, 1, 7, PLANNED, 0.5, { 3320400, 38, 34, 4, 3132182, 520096,
+        { SP_FUZZ_ARCH, 3, 4, 1, 7, PLANNED, 0.5, { 3320400, 38, 34, 4, 3132182, 638664,
           { 0.34502858, 0.025032556, 318983.31, 7.4278701, 19613.497 } } }
     };
     COMPARE(rows, check_it);
@@ -454,21 +453,21 @@ TEST(drawn_checks_with_strength_take_the_work_written_here)
 TEST(drawn_checks_by_stages_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { BYTES, 300, 30, 0, 0, LEAST_SQUARES, 0, { 43800084, 30, 0, 0, 464431, 1242360,
+        { BYTES, 300, 30, 0, 0, LEAST_SQUARES, 0, { 43800084, 30, 0, 0, 464431, 1512300,
           { 9.790863, 0, 3058496.6, 0, -30 } } },
-        { BYTES, 300, 30, 1, 0, DENSE, 0, { 46500093, 30, 0, 0, 605120, 1435320,
+        { BYTES, 300, 30, 1, 0, DENSE, 0, { 46500093, 30, 0, 0, 605120, 1761804,
           { 10.030754, 0, 3036707.6, 0, -30 } } },
-        { BYTES, 300, 30, 0, 0, POLISH, 0, { 43800120, 30, 8319, 0, 15265391, 1242360,
+        { BYTES, 300, 30, 0, 0, POLISH, 0, { 43800120, 30, 8319, 0, 15265391, 1512300,
           { 8.3628592, 0, 3113590.7, 0, -30 } } },
-        { BYTES, 330, 10, 1, 7, LEAST_SQUARES, 0, { 14300028, 10, 0, 0, 276536, 445760,
+        { BYTES, 330, 10, 1, 7, LEAST_SQUARES, 0, { 14300028, 10, 0, 0, 276536, 536640,
           { 4.8365473, 0, 517313.38, 0, -10 } } },
-        { BYTES, 330, 10, 0, 5, DENSE, 0, { 13340010, 10, 0, 0, 318808, 461840,
+        { BYTES, 330, 10, 0, 5, DENSE, 0, { 13340010, 10, 0, 0, 318808, 574656,
           { 6.4328248, 0, 527728.64, 0, -10 } } },
-        { BYTES, 330, 10, 1, 6, POLISH, 0, { 14300019, 10, 2141, 0, 3945096, 445760,
+        { BYTES, 330, 10, 1, 6, POLISH, 0, { 14300019, 10, 2141, 0, 3945096, 536640,
           { 5.5568321, 0, 527104.33, 0, -10 } } },
-        { SP_FUZZ_ARCH, 0, 2, 0, 0, DENSE, 0.1, { 2740002, 2, 0, 0, 420136, 295376,
+        { SP_FUZZ_ARCH, 0, 2, 0, 0, DENSE, 0.1, { 2740002, 2, 0, 0, 420136, 381240,
           { 0.11422747, 0, 106161.4, 0, -2 } } },
-        { SP_FUZZ_ARCH, 2, 2, 1, 0, POLISH, 0.1, { 2740020, 2, 267, 0, 2026504, 245968,
+        { SP_FUZZ_ARCH, 2, 2, 1, 0, POLISH, 0.1, { 2740020, 2, 267, 0, 2026504, 295456,
           { 5.4294389e-10, 0, 122231.09, 0, -2 } } }
     };
     COMPARE(rows, check_it);
@@ -477,11 +476,11 @@ TEST(drawn_checks_by_stages_take_the_work_written_here)
 TEST(drawn_checks_by_programs_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { BYTES, 340, 3, 0, 0, BY_ADMM, 0, { 4320111, 105, 344, 0, 8645675, 1171584,
+        { BYTES, 340, 3, 0, 0, BY_ADMM, 0, { 4320111, 105, 344, 0, 8645675, 1720872,
           { 1.8052709, 0.037203305, 158976.51, 3.5725513, 92421.388 } } },
-        { BYTES, 343, 2, 1, 0, NET, 0, { 3100110, 88, 240, 0, 6862743, 760096,
+        { BYTES, 343, 2, 1, 0, NET, 0, { 3100110, 88, 240, 0, 6862743, 1113904,
           { 1, 0.1098688, 58093.714, 1.0476909, -2 } } },
-        { SP_FUZZ_STACK, 0, 2, 1, 0, BY_ADMM, 0.1, { 2740011, 18, 205, 0, 6288732, 1109856,
+        { SP_FUZZ_STACK, 0, 2, 1, 0, BY_ADMM, 0.1, { 2740011, 18, 205, 0, 6288732, 1607920,
           { 0.00023055, 0, 117831.95, 0, 85.362172 } } }
     };
     COMPARE(rows, check_it);
@@ -490,11 +489,11 @@ TEST(drawn_checks_by_programs_take_the_work_written_here)
 TEST(drawn_coupled_checks_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { BYTES, 400, 12, 0, 0, COUPLED, 0, { 13800930, 3544, 3434, 0, 32382214, 51951560,
+        { BYTES, 400, 12, 0, 0, COUPLED, 0, { 13800930, 3544, 3434, 0, 32382214, 103525708,
           { 6.784459, 1.3054728, 638475.8, 0.02766662, 73983.654 } } },
-        { BYTES, 430, 8, 1, 0, COUPLED, 0.1, { 6230710, 46949, 46320, 5, 145358554, 37783976,
+        { BYTES, 430, 8, 1, 0, COUPLED, 0.1, { 6230710, 46949, 46320, 5, 145358554, 75301124,
           { 2.240653, 0.63787565, 443169.98, 0.026976466, 999085.34 } } },
-        { SP_FUZZ_STACK, 0, 6, 1, 0, COUPLED, 0.1, { 8280060, 16, 10, 0, 474032, 50167768,
+        { SP_FUZZ_STACK, 0, 6, 1, 0, COUPLED, 0.1, { 8280060, 16, 10, 0, 474032, 99917836,
           { 3.134711e-14, 0, 262499.05, 0.0050247176, -6 } } }
     };
     COMPARE(rows, check_it);
@@ -503,11 +502,11 @@ TEST(drawn_coupled_checks_take_the_work_written_here)
 TEST(drawn_coupled_checks_in_space_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { SP_FUZZ_STACK, 8, 6, 0, 0, COUPLED_IN_SPACE, 0.2, { 6390330, 4984, 4920, 0, 88417400, 58920440,
+        { SP_FUZZ_STACK, 8, 6, 0, 0, COUPLED_IN_SPACE, 0.2, { 6390330, 4984, 4920, 0, 88417400, 117429276,
           { 0.12135728, 0.012603493, 293333.38, 0.014470499, 11102.7 } } },
-        { SP_FUZZ_RUBBLE, 0, 2, 1, 0, COUPLED, 0.1, { 1360020, 45, 35, 0, 3580000, 347008,
+        { SP_FUZZ_RUBBLE, 0, 2, 1, 0, COUPLED, 0.1, { 1360020, 45, 35, 0, 3580000, 473448,
           { 5.8036416e-12, 0, 75980.24, 0.0016213652, -2 } } },
-        { BYTES, 450, 8, 1, 0, COUPLED_IN_SPACE, 0, { 8610710, 278, 227, 0, 2659750, 45236352,
+        { BYTES, 450, 8, 1, 0, COUPLED_IN_SPACE, 0, { 8610710, 278, 227, 0, 2659750, 90185616,
           { 6.1681508, 1.2195461, 340007.01, 0.037498913, 118171.05 } } }
     };
     COMPARE(rows, check_it);
@@ -516,11 +515,11 @@ TEST(drawn_coupled_checks_in_space_take_the_work_written_here)
 TEST(drawn_coupled_checks_in_a_plane_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { SP_FUZZ_RUBBLE, 10, 2, 0, 0, COUPLED, -0.1, { 1680020, 36, 26, 0, 1102618, 10502976,
+        { SP_FUZZ_RUBBLE, 10, 2, 0, 0, COUPLED, -0.1, { 1680020, 36, 26, 0, 1102618, 20802152,
           { 3.3268186e-16, 0, 43680.491, 0.00091802086, -2 } } },
-        { SP_FUZZ_ARCH, 0, 2, 0, 0, COUPLED, -0.1, { 1680020, 50, 40, 0, 1285152, 10308896,
+        { SP_FUZZ_ARCH, 0, 2, 0, 0, COUPLED, -0.1, { 1680020, 50, 40, 0, 1285152, 20442680,
           { 3.9190946e-16, 0, 116910.14, 0.0042205529, -2 } } },
-        { SP_FUZZ_RUBBLE, 2, 2, 1, 0, COUPLED, -0.2, { 1680020, 39, 29, 0, 1127706, 349088,
+        { SP_FUZZ_RUBBLE, 2, 2, 1, 0, COUPLED, -0.2, { 1680020, 39, 29, 0, 1127706, 476616,
           { 7.8110621e-16, 0, 61658.882, 0.0021075757, -2 } } }
     };
     COMPARE(rows, check_it);
@@ -529,9 +528,9 @@ TEST(drawn_coupled_checks_in_a_plane_take_the_work_written_here)
 TEST(drawn_coupled_checks_of_other_lengths_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { BYTES, 480, 6, 0, 0, COUPLED_TIGHT, 0, { 7170420, 166, 127, 0, 951189, 21486776,
+        { BYTES, 480, 6, 0, 0, COUPLED_TIGHT, 0, { 7170420, 166, 127, 0, 951189, 42791100,
           { 2.6027984, 0.3334596, 409794.13, 0.0018513434, 46965.345 } } },
-        { SP_FUZZ_STACK, 3, 6, 0, 0, COUPLED_RIGID, 0.2, { 7590150, 94, 79, 0, 2894127, 47924928,
+        { SP_FUZZ_STACK, 3, 6, 0, 0, COUPLED_RIGID, 0.2, { 7590150, 94, 79, 0, 2894127, 95456704,
           { 0.15107278, 0.013678101, 268250.58, 0.16401406, 40715.133 } } }
     };
     COMPARE(rows, check_it);
@@ -540,9 +539,9 @@ TEST(drawn_coupled_checks_of_other_lengths_take_the_work_written_here)
 TEST(drawn_coupled_checks_without_nodes_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { BYTES, 100, 10, 1, 0, NO_NODES_IN_8, 0, { 12090820, 456, 365, 6, 3016604, 486312,
+        { BYTES, 100, 10, 1, 0, NO_NODES_IN_8, 0, { 12090820, 456, 365, 6, 3016604, 627364,
           { 6.1711671, 0.95768067, 500035.6, 0.033996007, 169663.39 } } },
-        { SP_FUZZ_RUBBLE, 3, 2, 1, 0, NO_NODES_IN_8, 0.1, { 1360020, 42, 32, 0, 2898393, 325080,
+        { SP_FUZZ_RUBBLE, 3, 2, 1, 0, NO_NODES_IN_8, 0.1, { 1360020, 42, 32, 0, 2898393, 435364,
           { 1.017114e-15, 0, 61885.328, 0.0015695245, -2 } } }
     };
     COMPARE(rows, check_it);
@@ -551,9 +550,9 @@ TEST(drawn_coupled_checks_without_nodes_take_the_work_written_here)
 TEST(drawn_coupled_boxes_and_rounds_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { BYTES, 500, 4, 0, 0, COUPLED_BOX, 0, { 3720400, 3374, 3313, 0, 7576724, 22325728,
+        { BYTES, 500, 4, 0, 0, COUPLED_BOX, 0, { 3720400, 3374, 3313, 0, 7576724, 44512624,
           { 1.9732925, 0.33325219, 361778.54, 0.015766876, 142472.85 } } },
-        { BYTES, 510, 3, 1, 0, ROUNDS, 0, { 2870210, 21435, 20975, 0, 98406426, 20818224,
+        { BYTES, 510, 3, 1, 0, ROUNDS, 0, { 2870210, 21435, 20975, 0, 98406426, 41250984,
           { 1.5589885, 0.35784838, 145982.04, 0.013029143, 80056.567 } } }
     };
     COMPARE(rows, check_it);
@@ -562,9 +561,9 @@ TEST(drawn_coupled_boxes_and_rounds_take_the_work_written_here)
 TEST(drawn_alternations_of_stacks_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { SP_FUZZ_STACK, 0, 4, 1, 0, SEEDED, 0.1, { 4482020, 1190, 215, 0, 28655170, 2174048,
+        { SP_FUZZ_STACK, 0, 4, 1, 0, SEEDED, 0.1, { 4482020, 1190, 215, 0, 28655170, 3220304,
           { 4.3697429e-07, 0, 218148.38, 0.0047114597, 9087.0372 } } },
-        { SP_FUZZ_STACK, 6, 2, 0, 0, SEEDED, 0.2, { 2211010, 872, 1787, 0, 66073825, 811920,
+        { SP_FUZZ_STACK, 6, 2, 0, 0, SEEDED, 0.2, { 2211010, 872, 1787, 0, 66073825, 1191760,
           { 0.1530047, 0, 121765.8, 0.019834153, 40719.133 } } }
     };
     COMPARE(rows, check_it);
@@ -573,7 +572,7 @@ TEST(drawn_alternations_of_stacks_take_the_work_written_here)
 TEST(drawn_alternations_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { BYTES, 40, 4, 0, 0, SEEDED, 0, { 4981030, 65, 719, 0, 9194458, 912480,
+        { BYTES, 40, 4, 0, 0, SEEDED, 0, { 4981030, 65, 719, 0, 9194458, 1377776,
           { 0.380899, 0, 134106.63, 0.003453871, 7892.3788 } } }
     };
     COMPARE(rows, check_it);
@@ -582,23 +581,23 @@ TEST(drawn_alternations_take_the_work_written_here)
 TEST(single_checks_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { BYTES, 5145, 1, 1, 0, PLANNED, 0, { 1220100, 7, 5, 0, 8071, 32264,
+        { BYTES, 5145, 1, 1, 0, PLANNED, 0, { 1220100, 7, 5, 0, 8071, 38356,
           { 0.26131449, 0.0402725, 14423.784, 1.0909355, 1444.2603 } } },
-        { BYTES, 5645, 1, 1, 7, IN_8, 0.1, { 1040100, 20, 18, 0, 517560, 64376,
+        { BYTES, 5645, 1, 1, 7, IN_8, 0.1, { 1040100, 20, 18, 0, 517560, 81732,
           { 0.20216727, 0.0091005125, 31185.085, 2.6324688, 3830.2975 } } },
-        { BYTES, 5709, 1, 1, 7, IN_8, 0.1, { 1010100, 15, 13, 0, 270198, 57192,
+        { BYTES, 5709, 1, 1, 7, IN_8, 0.1, { 1010100, 15, 13, 0, 270198, 71284,
           { 0.31971468, 0.056274617, 91969.439, 1.9422376, 1815.776 } } },
-        { BYTES, 24042, 1, 0, 0, COUPLED, 0, { 1590010, 4, 2, 0, 43950, 8578152,
+        { BYTES, 24042, 1, 0, 0, COUPLED, 0, { 1590010, 4, 2, 0, 43950, 17117972,
           { 1.351903e-15, 0, 74565.815, 0.00040828944, -1 } } },
-        { BYTES, 24053, 1, 0, 0, COUPLED, 0, { 1590010, 3, 1, 0, 34275, 2589888,
+        { BYTES, 24053, 1, 0, 0, COUPLED, 0, { 1590010, 3, 1, 0, 34275, 5145544,
           { 3.2779142e-15, 0, 98357.922, 0.00027416206, -1 } } },
-        { BYTES, 24361, 1, 1, 0, COUPLED_BOX, 0.1, { 870100, 6520, 6454, 0, 13219812, 365360,
+        { BYTES, 24361, 1, 1, 0, COUPLED_BOX, 0.1, { 870100, 6520, 6454, 0, 13219812, 701616,
           { 0.29674943, 0.059069245, 19.672675, 0.001547121, 3.9847836 } } },
-        { BYTES, 25010, 1, 1, 0, NO_NODES_IN_8, 0, { 1040010, 20, 12, 0, 475474, 60208,
+        { BYTES, 25010, 1, 1, 0, NO_NODES_IN_8, 0, { 1040010, 20, 12, 0, 475474, 79352,
           { 2.3101609e-16, 0, 13614.798, 0.00025484128, -1 } } },
-        { WEDGED, 21803, 2, 1, 0, COUPLED, 0, { 1720020, 82, 72, 0, 901215, 11035456,
+        { WEDGED, 21803, 2, 1, 0, COUPLED, 0, { 1720020, 82, 72, 0, 901215, 22033300,
           { 5.5928577e-16, 0, 3562.8751, 0.0010096368, -2 } } },
-        { WEDGED, 22468, 1, 0, 0, COUPLED_RIGID, 0, { 870100, 954, 923, 4, 10025194, 9893256,
+        { WEDGED, 22468, 1, 0, 0, COUPLED_RIGID, 0, { 870100, 954, 923, 4, 10025194, 19767296,
           { 0.77607319, 0.072114401, 564.46734, 0.0014020898, 7377.4311 } } }
     };
     COMPARE(rows, check_it);
@@ -607,11 +606,11 @@ TEST(single_checks_take_the_work_written_here)
 TEST(single_checks_near_limits_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { SP_FUZZ_ARCH, 11024, 1, 0, 0, PLANNED, -1, { 6500420, 109, 98, 22, 4863527, 925200,
+        { SP_FUZZ_ARCH, 11024, 1, 0, 0, PLANNED, -1, { 6500420, 109, 98, 22, 4863527, 1126056,
           { 0.00055858275, 4.4971826e-06, 243335.2, 6.969328, 457.04269 } } },
-        { SP_FUZZ_STACK, 11356, 1, 0, 0, PLANNED, -1, { 11400660, 113, 101, 10, 3801461, 1220064,
+        { SP_FUZZ_STACK, 11356, 1, 0, 0, PLANNED, -1, { 11400660, 113, 101, 10, 3801461, 1428048,
           { 0.0084154347, 7.3121441e-05, 542840.37, 8.9800688, 85.344293 } } },
-        { BYTES, 9799, 1, 1, 7, PLANNED, 1, { 4980330, 87, 66, 9, 1910920, 361440,
+        { BYTES, 9799, 1, 1, 7, PLANNED, 1, { 4980330, 87, 66, 9, 1910920, 442512,
           { 0.00010142495, 2.2336831e-05, 382736.49, 7.0742845, 39.045329 } } }
     };
     COMPARE(rows, near_it);
@@ -620,11 +619,11 @@ TEST(single_checks_near_limits_take_the_work_written_here)
 TEST(single_limits_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { BYTES, 12067, 1, 1, 0, PLANNED, 1, { 10, 13, 10, 9, 221861, 24416,
+        { BYTES, 12067, 1, 1, 0, PLANNED, 1, { 10, 13, 10, 9, 221861, 43144,
           { 0, 1.0540898e-08, 0, 1.7568133e-08, 1.5e-09 } } },
-        { BYTES, 12958, 1, 0, 2, PLANNED, 1, { 10, 46, 35, 9, 908088, 26960,
+        { BYTES, 12958, 1, 0, 2, PLANNED, 1, { 10, 46, 35, 9, 908088, 51404,
           { 0, 6.095242e-09, 0, 1.0273597e-08, 1.4587655e-09 } } },
-        { BYTES, 12955, 1, 0, 2, PLANNED, 1, { 10, 61, 52, 10, 2256860, 30048,
+        { BYTES, 12955, 1, 0, 2, PLANNED, 1, { 10, 61, 52, 10, 2256860, 59072,
           { 0.40699122, 0.40699123, 0.17149126, 1.7079738e-08, 1.3612255e-09 } } }
     };
     COMPARE(rows, limit_it);
@@ -633,17 +632,17 @@ TEST(single_limits_take_the_work_written_here)
 TEST(drawn_checks_of_wedged_stones_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { WEDGED, 2000, 40, 1, 0, PLANNED, 0, { 45201390, 375, 335, 20, 5469010, 1099936,
+        { WEDGED, 2000, 40, 1, 0, PLANNED, 0, { 45201390, 375, 335, 20, 5469010, 1434984,
           { 5.4130163, 0.76539537, 68199.041, 12.435795, 7773.9411 } } },
-        { SMOOTH, 2000, 40, 0, 0, IN_8, 0, { 46403370, 879, 839, 11, 11862305, 1109184,
+        { SMOOTH, 2000, 40, 0, 0, IN_8, 0, { 46403370, 879, 839, 11, 11862305, 1471552,
           { 17.316293, 6.1891528, 282818.25, 25.470688, 37155.979 } } },
-        { WEDGED, 2040, 30, 0, 5, PLANNED, 0, { 30300750, 156, 126, 0, 2100766, 873136,
+        { WEDGED, 2040, 30, 0, 5, PLANNED, 0, { 30300750, 156, 126, 0, 2100766, 1169016,
           { 1.6658072, 0.24479006, 31987.65, 5.6936491, 4544.1865 } } },
-        { WEDGED, 2070, 30, 1, 7, IN_8, 0, { 30300300, 74, 44, 0, 1033468, 829320,
+        { WEDGED, 2070, 30, 1, 7, IN_8, 0, { 30300300, 74, 44, 0, 1033468, 1090908,
           { 8.3935312e-15, 0, 31064.923, 0, -30 } } },
-        { SMOOTH, 2100, 20, 0, 6, PLANNED, 0, { 20801550, 491, 471, 2, 13287646, 583000,
+        { SMOOTH, 2100, 20, 0, 6, PLANNED, 0, { 20801550, 491, 471, 2, 13287646, 780644,
           { 8.5568157, 3.2039834, 14949.417, 11.98003, 11699.123 } } },
-        { SMOOTH, 2120, 20, 1, 3, IN_8, 0, { 20800380, 71, 51, 0, 1082184, 565288,
+        { SMOOTH, 2120, 20, 1, 3, IN_8, 0, { 20800380, 71, 51, 0, 1082184, 743332,
           { 0.38972473, 0.1286858, 24032.238, 2.3416259, 1418.817 } } }
     };
     COMPARE(rows, check_it);
@@ -652,19 +651,19 @@ TEST(drawn_checks_of_wedged_stones_take_the_work_written_here)
 TEST(drawn_checks_near_limits_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { BYTES, 1300, 24, 1, 0, PLANNED, 1, { 92764890, 1166, 990, 45, 7091386, 4063440,
+        { BYTES, 1300, 24, 1, 0, PLANNED, 1, { 92764890, 1166, 990, 45, 7091386, 4906872,
           { 0.13475444, 0.001304323, 4813142.2, 69.722973, 79897.264 } } },
-        { SP_FUZZ_STACK, 110, 8, 0, 0, PLANNED, 1, { 45602640, 430, 382, 45, 7673285, 3970944,
+        { SP_FUZZ_STACK, 110, 8, 0, 0, PLANNED, 1, { 45602640, 430, 382, 45, 7673285, 4552368,
           { 0.12402792, 0.00036204475, 1693221.8, 28.939537, 405.66773 } } },
-        { SP_FUZZ_RUBBLE, 110, 1, 1, 0, PLANNED, 1, { 5700330, 55, 49, 8, 7196307, 1007664,
+        { SP_FUZZ_RUBBLE, 110, 1, 1, 0, PLANNED, 1, { 5700330, 55, 49, 8, 7196307, 1232136,
           { 0.014197973, 2.716257e-05, 310464.9, 10.321628, 63.924112 } } },
-        { SP_FUZZ_ARCH, 110, 3, 0, 0, PLANNED, -1, { 19661170, 260, 229, 46, 9684980, 2436624,
+        { SP_FUZZ_ARCH, 110, 3, 0, 0, PLANNED, -1, { 19661170, 260, 229, 46, 9684980, 2924616,
           { 0.0039292633, 4.9430955e-05, 1047757.3, 18.722173, 1746.0063 } } },
-        { SP_FUZZ_WALL, 110, 2, 0, 0, IN_8, -1, { 13321200, 198, 174, 36, 8050816, 1826688,
+        { SP_FUZZ_WALL, 110, 2, 0, 0, IN_8, -1, { 13321200, 198, 174, 36, 8050816, 2272800,
           { 3.8803766, 0.11281995, 3617086.9, 20.180643, 71299.345 } } },
-        { WEDGED, 2200, 10, 1, 0, PLANNED, 0.5, { 22801320, 504, 473, 136, 13080265, 741120,
+        { WEDGED, 2200, 10, 1, 0, PLANNED, 0.5, { 22801320, 504, 473, 136, 13080265, 942864,
           { 0.87032613, 0.00023277305, 137950.93, 14.696256, 1403.8933 } } },
-        { BYTES, 1370, 10, 0, 0, IN_SPACE, 1, { 24781590, 492, 444, 77, 4844387, 1146480,
+        { BYTES, 1370, 10, 0, 0, IN_SPACE, 1, { 24781590, 492, 444, 77, 4844387, 1386408,
           { 1.2179124, 0.00021490266, 3293990.1, 21.898766, 1846.928 } } }
     };
     COMPARE(rows, near_it);
@@ -673,13 +672,13 @@ TEST(drawn_checks_near_limits_take_the_work_written_here)
 TEST(drawn_checks_near_limits_of_joints_with_strength_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { BYTES, 1330, 16, 1, 7, PLANNED, 1, { 74644191, 993, 858, 104, 15572943, 4618608,
+        { BYTES, 1330, 16, 1, 7, PLANNED, 1, { 74644191, 993, 858, 104, 15572943, 5687640,
           { 0.20659328, 0.00099578429, 5656233.1, 68.075904, 21538.642 } } },
-        { SP_FUZZ_STACK, 130, 6, 0, 5, PLANNED, 1, { 29881980, 165, 129, 3, 3360530, 2848320,
+        { SP_FUZZ_STACK, 130, 6, 0, 5, PLANNED, 1, { 29881980, 165, 129, 3, 3360530, 3281952,
           { 0.0017896025, 0.00038551084, 1129730.3, 23.934757, 218.20564 } } },
-        { SP_FUZZ_ARCH, 111, 2, 0, 4, PLANNED, -1, { 11880660, 173, 152, 20, 5610363, 1736448,
+        { SP_FUZZ_ARCH, 111, 2, 0, 4, PLANNED, -1, { 11880660, 173, 152, 20, 5610363, 2132832,
           { 0.0031619469, 4.0988876e-05, 814842.14, 10.109148, 1133.8824 } } },
-        { BYTES, 1350, 12, 0, 6, IN_8, 1, { 42543360, 2108, 2018, 0, 34760263, 2539200,
+        { BYTES, 1350, 12, 0, 6, IN_8, 1, { 42543360, 2108, 2018, 0, 34760263, 3121824,
           { 0.79224515, 0.19638629, 5665875.3, 47.86018, 67821.591 } } }
     };
     COMPARE(rows, near_it);
@@ -688,17 +687,17 @@ TEST(drawn_checks_near_limits_of_joints_with_strength_take_the_work_written_here
 TEST(drawn_coupled_checks_of_wedged_stones_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { WEDGED, 2045, 1, 0, 0, COUPLED, 0, { 860010, 1598, 1568, 0, 19565978, 3626128,
+        { WEDGED, 2045, 1, 0, 0, COUPLED, 0, { 860010, 1598, 1568, 0, 19565978, 7237588,
           { 7.6932101e-17, 0, 1769.661, 0.0021157522, -1 } } },
-        { WEDGED, 2124, 1, 0, 0, COUPLED_TIGHT, 0, { 860010, 1057, 1032, 0, 7517105, 1099224,
+        { WEDGED, 2124, 1, 0, 0, COUPLED_TIGHT, 0, { 860010, 1057, 1032, 0, 7517105, 2185460,
           { 1.508471e-16, 0, 805.82726, 0.00063059513, -1 } } },
-        { WEDGED, 2132, 1, 1, 0, COUPLED_TIGHT, 0, { 860010, 1869, 1841, 0, 10686997, 1099784,
+        { WEDGED, 2132, 1, 1, 0, COUPLED_TIGHT, 0, { 860010, 1869, 1841, 0, 10686997, 2186020,
           { 2.3558904e-16, 0, 951.26267, 0.00037778586, -1 } } },
-        { WEDGED, 2069, 1, 0, 0, COUPLED_TIGHT, 0, { 860010, 1675, 1648, 0, 10915267, 3626128,
+        { WEDGED, 2069, 1, 0, 0, COUPLED_TIGHT, 0, { 860010, 1675, 1648, 0, 10915267, 7237588,
           { 1.6581635e-16, 0, 853.29336, 0.00071238594, -1 } } },
-        { WEDGED, 2085, 1, 0, 0, COUPLED_RIGID, 0, { 860010, 998, 987, 0, 7449254, 3626128,
+        { WEDGED, 2085, 1, 0, 0, COUPLED_RIGID, 0, { 860010, 998, 987, 0, 7449254, 7237588,
           { 2.9695395e-16, 0, 1114.4939, 0.0015836198, -1 } } },
-        { SMOOTH, 2104, 2, 0, 0, COUPLED, 0, { 1780020, 16, 6, 0, 126262, 7252256,
+        { SMOOTH, 2104, 2, 0, 0, COUPLED, 0, { 1780020, 16, 6, 0, 126262, 14475176,
           { 4.0850971e-16, 0, 1120.5729, 0.00013687702, -2 } } }
     };
     COMPARE(rows, check_it);
@@ -707,27 +706,27 @@ TEST(drawn_coupled_checks_of_wedged_stones_take_the_work_written_here)
 TEST(drawn_rounds_of_wedged_stones_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { WEDGED, 2012, 1, 0, 0, ROUNDS, 0, { 860010, 133, 103, 0, 2716637, 1187312,
+        { WEDGED, 2012, 1, 0, 0, ROUNDS, 0, { 860010, 133, 103, 0, 2716637, 2323080,
           { 3.3758426e-16, 0, 751.10975, 2.9716372e-05, -1 } } },
-        { WEDGED, 2002, 1, 1, 0, ROUNDS, 0, { 860010, 101, 224, 0, 5335461, 1187872,
+        { WEDGED, 2002, 1, 1, 0, ROUNDS, 0, { 860010, 101, 224, 0, 5335461, 2323640,
           { 1.8905076e-14, 0, 1392.555, 0.001472164, -1 } } },
-        { WEDGED, 2119, 1, 0, 0, ROUNDS, 0, { 860010, 134, 104, 0, 4706189, 3751944,
+        { WEDGED, 2119, 1, 0, 0, ROUNDS, 0, { 860010, 134, 104, 0, 4706189, 7432664,
           { 2.0584004e-14, 0, 818.47117, 8.5909993e-05, -1 } } },
-        { WEDGED, 2020, 1, 0, 0, ROUNDS, 0, { 860010, 21, 285, 0, 2085024, 3751944,
+        { WEDGED, 2020, 1, 0, 0, ROUNDS, 0, { 860010, 21, 285, 0, 2085024, 7432664,
           { 3.7829249e-16, 0, 657.7038, 4.8335295e-05, -1 } } },
-        { WEDGED, 2109, 1, 0, 0, ROUNDS, 0, { 860010, 18, 174, 0, 2664387, 3751944,
+        { WEDGED, 2109, 1, 0, 0, ROUNDS, 0, { 860010, 18, 174, 0, 2664387, 7432664,
           { 1.7630533e-16, 0, 632.65007, 3.9058039e-05, -1 } } },
-        { SMOOTH, 2096, 1, 0, 0, ROUNDS, 0, { 890010, 52, 103, 0, 4401819, 10194328,
+        { SMOOTH, 2096, 1, 0, 0, ROUNDS, 0, { 890010, 52, 103, 0, 4401819, 20236088,
           { 6.2722718e-16, 0, 2096.1755, 0.00010560545, -1 } } },
-        { SMOOTH, 2134, 1, 1, 0, ROUNDS, 0, { 890010, 48, 92, 0, 4121571, 10195976,
+        { SMOOTH, 2134, 1, 1, 0, ROUNDS, 0, { 890010, 48, 92, 0, 4121571, 20237736,
           { 5.9133884e-16, 0, 1943.3258, 0.00014459202, -1 } } },
-        { SMOOTH, 2031, 1, 0, 0, ROUNDS, 0, { 890010, 64, 207, 2, 9197987, 10194328,
+        { SMOOTH, 2031, 1, 0, 0, ROUNDS, 0, { 890010, 64, 207, 2, 9197987, 20236088,
           { 2.3750954e-15, 0, 33818.352, 0.0016520363, -1 } } },
-        { WEDGED, 22755, 1, 0, 0, ROUNDS, 0, { 860010, 98, 174, 0, 13135598, 3751944,
+        { WEDGED, 22755, 1, 0, 0, ROUNDS, 0, { 860010, 98, 174, 0, 13135598, 7432664,
           { 1.9913413e-16, 0, 903.18271, 8.2641217e-05, -1 } } },
-        { WEDGED, 22786, 1, 0, 0, ROUNDS, 0, { 860010, 103, 264, 0, 7522270, 3751944,
+        { WEDGED, 22786, 1, 0, 0, ROUNDS, 0, { 860010, 103, 264, 0, 7522270, 7432664,
           { 3.1416919e-16, 0, 1099.8201, 0.0014088552, -1 } } },
-        { WEDGED, 22773, 1, 0, 0, ROUNDS, 0, { 860010, 13, 54, 0, 414913, 3751944,
+        { WEDGED, 22773, 1, 0, 0, ROUNDS, 0, { 860010, 13, 54, 0, 414913, 7432664,
           { 8.5405701e-17, 0, 618.25958, 3.646028e-05, -1 } } }
     };
     COMPARE(rows, check_it);
@@ -736,17 +735,17 @@ TEST(drawn_rounds_of_wedged_stones_take_the_work_written_here)
 TEST(drawn_alternations_of_wedged_stones_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { WEDGED, 2001, 1, 0, 0, SEEDED, 0, { 1321000, 36, 348, 0, 1432016, 124832,
+        { WEDGED, 2001, 1, 0, 0, SEEDED, 0, { 1321000, 36, 348, 0, 1432016, 191368,
           { 2.4628349e-07, 0, 1089.7908, 0.00047909125, 301.03327 } } },
-        { WEDGED, 2105, 1, 1, 0, SEEDED, 0, { 1321000, 38, 262, 0, 1895664, 178368,
+        { WEDGED, 2105, 1, 1, 0, SEEDED, 0, { 1321000, 38, 262, 0, 1895664, 272776,
           { 2.2814048e-07, 0, 825.60681, 0.00043863822, 46.639003 } } },
-        { WEDGED, 2109, 1, 0, 0, SEEDED, 0, { 1280010, 16, 252, 0, 1609320, 177600,
+        { WEDGED, 2109, 1, 0, 0, SEEDED, 0, { 1280010, 16, 252, 0, 1609320, 272008,
           { 8.5555655e-17, 0, 633.17207, 3.9058302e-05, -1 } } },
-        { WEDGED, 2149, 1, 0, 0, SEEDED, 0, { 1321000, 43, 390, 0, 1857199, 124832,
+        { WEDGED, 2149, 1, 0, 0, SEEDED, 0, { 1321000, 43, 390, 0, 1857199, 191368,
           { 2.3264092e-07, 0, 1133.4315, 0.0011048621, 3561.2575 } } },
-        { SMOOTH, 2102, 1, 0, 0, SEEDED, 0, { 1240010, 13, 1416, 0, 11494833, 402720,
+        { SMOOTH, 2102, 1, 0, 0, SEEDED, 0, { 1240010, 13, 1416, 0, 11494833, 611480,
           { 8.8010538e-17, 0, 1541.8291, 0.00021363252, -1 } } },
-        { WEDGED, 23070, 3, 0, 0, SEEDED, 0, { 3881020, 568, 688, 0, 6050347, 532800,
+        { WEDGED, 23070, 3, 0, 0, SEEDED, 0, { 3881020, 568, 688, 0, 6050347, 816024,
           { 2.7426096e-07, 0, 1484.6226, 0.00013834147, -1.7581759 } } }
     };
     COMPARE(rows, check_it);
@@ -755,13 +754,13 @@ TEST(drawn_alternations_of_wedged_stones_take_the_work_written_here)
 TEST(drawn_limits_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { SP_FUZZ_STACK, 0, 10, 1, 0, PLANNED, 0, { 100, 95, 75, 74, 4069192, 625280,
+        { SP_FUZZ_STACK, 0, 10, 1, 0, PLANNED, 0, { 100, 95, 75, 74, 4069192, 955608,
           { 3.2346866, 3.2346867, 0, 1.9728158e-07, 1.5002531e-08 } } },
-        { SP_FUZZ_STACK, 14, 6, 0, 0, IN_8, 0, { 240, 63, 51, 46, 2822252, 379248,
+        { SP_FUZZ_STACK, 14, 6, 0, 0, IN_8, 0, { 240, 63, 51, 46, 2822252, 608916,
           { -0.61144592, 1.3885541, -1.6863065, 9.379087e-08, 0.00054246137 } } },
-        { BYTES, 520, 24, 0, 0, PLANNED, 1, { 1860, 151, 119, 112, 6659010, 636832,
+        { BYTES, 520, 24, 0, 0, PLANNED, 1, { 1860, 151, 119, 112, 6659010, 1224052,
           { -15.313617, 2.6863828, -18, 1.185693e-07, 1.5604305 } } },
-        { BYTES, 550, 24, 1, 0, IN_8, 1, { 1311, 495, 450, 166, 20636749, 803920,
+        { BYTES, 550, 24, 1, 0, IN_8, 1, { 1311, 495, 450, 166, 20636749, 1509260,
           { -10.418715, 2.5812858, -13, 7.4662333e-07, 0.60797709 } } }
     };
     COMPARE(rows, limit_it);
@@ -770,13 +769,13 @@ TEST(drawn_limits_take_the_work_written_here)
 TEST(drawn_limits_of_families_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { SP_FUZZ_RUBBLE, 0, 3, 0, 0, PLANNED, 0, { 30, 40, 34, 27, 7935229, 286432,
+        { SP_FUZZ_RUBBLE, 0, 3, 0, 0, PLANNED, 0, { 30, 40, 34, 27, 7935229, 553828,
           { 1.3477561, 1.3477562, 0, 9.9534745e-08, 4.4999999e-09 } } },
-        { SP_FUZZ_ARCH, 0, 3, 1, 0, PLANNED, 0, { 30, 38, 32, 29, 3609542, 259584,
+        { SP_FUZZ_ARCH, 0, 3, 1, 0, PLANNED, 0, { 30, 38, 32, 29, 3609542, 457644,
           { 1.0613649, 1.061365, 0, 1.1691454e-07, 4.4999999e-09 } } },
-        { SP_FUZZ_RUBBLE, 6, 2, 1, 0, IN_SPACE, 0, { 20, 24, 20, 15, 3810294, 181520,
+        { SP_FUZZ_RUBBLE, 6, 2, 1, 0, IN_SPACE, 0, { 20, 24, 20, 15, 3810294, 318892,
           { 0.59001046, 0.59001048, 0, 3.303777e-08, 3e-09 } } },
-        { SP_FUZZ_WALL, 0, 2, 0, 0, PLANNED, -1, { 20, 27, 23, 17, 1191886, 143440,
+        { SP_FUZZ_WALL, 0, 2, 0, 0, PLANNED, -1, { 20, 27, 23, 17, 1191886, 248424,
           { 1.0421775, 1.0421775, 0, 2.7790814e-08, 3.0052769e-09 } } }
     };
     COMPARE(rows, limit_it);
@@ -785,15 +784,15 @@ TEST(drawn_limits_of_families_take_the_work_written_here)
 TEST(drawn_limits_of_joints_with_strength_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { SP_FUZZ_STACK, 8, 6, 1, 3, PLANNED, 0, { 60, 191, 167, 4, 8208496, 394272,
+        { SP_FUZZ_STACK, 8, 6, 1, 3, PLANNED, 0, { 60, 191, 167, 4, 8208496, 615348,
           { 2.509689, 2.5096892, 0, 2.198833e-07, 1.0444338e-08 } } },
-        { SP_FUZZ_STACK, 15, 4, 0, 7, IN_SPACE, 0, { 40, 204, 184, 0, 9727921, 244064,
+        { SP_FUZZ_STACK, 15, 4, 0, 7, IN_SPACE, 0, { 40, 204, 184, 0, 9727921, 386324,
           { 1.551716, 1.5517161, 0.17886767, 9.7410528e-08, 5.9999999e-09 } } },
-        { BYTES, 600, 20, 1, 5, PLANNED, 1, { 1100, 453, 379, 0, 16472292, 591392,
+        { BYTES, 600, 20, 1, 5, PLANNED, 1, { 1100, 453, 379, 0, 16472292, 1133560,
           { 0.74339382, 10.743394, -9.0622776, 2.9529979e-07, 0.89541707 } } },
-        { BYTES, 620, 20, 0, 6, PLANNED, 1, { 1460, 633, 549, 75, 21515200, 479264,
+        { BYTES, 620, 20, 0, 6, PLANNED, 1, { 1460, 633, 549, 75, 21515200, 961068,
           { -10.865957, 3.1340436, -13.423788, 1.589241e-07, 2.2875167 } } },
-        { SP_FUZZ_ARCH, 0, 2, 0, 7, PLANNED, -1, { 20, 108, 100, 0, 4600308, 158176,
+        { SP_FUZZ_ARCH, 0, 2, 0, 7, PLANNED, -1, { 20, 108, 100, 0, 4600308, 288824,
           { 5.760212, 5.7602123, 0, 4.7063037e-07, 3e-09 } } }
     };
     COMPARE(rows, limit_it);
@@ -802,11 +801,11 @@ TEST(drawn_limits_of_joints_with_strength_take_the_work_written_here)
 TEST(drawn_strong_verdicts_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { SP_FUZZ_STACK, 0, 6, 1, 0, 0, 0.1, { 60000, 0, 0, 0, 460440, 65665392,
+        { SP_FUZZ_STACK, 0, 6, 1, 0, 0, 0.1, { 60000, 0, 0, 0, 460440, 131166720,
           { 0, 0, 5.9999985, 262286.2, 0 } } },
-        { BYTES, 640, 10, 0, 0, 0, 0, { 40105, 0, 0, 0, 2843180, 151505200,
+        { BYTES, 640, 10, 0, 0, 0, 0, { 40105, 0, 0, 0, 2843180, 302955232,
           { 2.1730509e-13, 0.024800341, 0, 375016.52, 0.38113105 } } },
-        { BYTES, 660, 8, 1, 0, 1, 0, { 40004, 0, 0, 0, 339120, 110159264,
+        { BYTES, 660, 8, 1, 0, 1, 0, { 40004, 0, 0, 0, 339120, 220243296,
           { 8.9215477e-16, 0, 0, 211343.19, 0 } } }
     };
     COMPARE(rows, strong_of);
@@ -815,19 +814,19 @@ TEST(drawn_strong_verdicts_take_the_work_written_here)
 TEST(drawn_sliding_limits_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { SP_FUZZ_RUBBLE, 0, 3, 0, 0, 0, -1, { 30, 0, 0, 0, 46967108, 884328,
+        { SP_FUZZ_RUBBLE, 0, 3, 0, 0, 0, -1, { 30, 0, 0, 0, 46967108, 1963912,
           { 0, 0, 2.7896751, 149782.53, 4.1776406 } } },
-        { SP_FUZZ_ARCH, 0, 2, 0, 0, 0, -1, { 20, 0, 0, 0, 7621576, 441264,
+        { SP_FUZZ_ARCH, 0, 2, 0, 0, 0, -1, { 20, 0, 0, 0, 7621576, 963248,
           { 0, 0, 1.8201196, 126139.01, 2.0170302 } } },
-        { SP_FUZZ_WALL, 5, 1, 0, 0, 0, -1, { 10, 0, 0, 0, 9606970, 214400,
+        { SP_FUZZ_WALL, 5, 1, 0, 0, 0, -1, { 10, 0, 0, 0, 9606970, 458496,
           { 0, 0, 1, 430801.01, 2.2605492 } } },
-        { SP_FUZZ_STACK, 17060, 1, 0, 0, 0, -1, { 10, 0, 0, 0, 41342, 51848,
+        { SP_FUZZ_STACK, 17060, 1, 0, 0, 0, -1, { 10, 0, 0, 0, 41342, 66120,
           { 0.87001423, 0.87001423, 3743.8893, 3867.1496, 0.64093341 } } },
-        { SP_FUZZ_RUBBLE, 17363, 1, 0, 0, 0, -1, { 10, 0, 0, 0, 4244840, 163488,
+        { SP_FUZZ_RUBBLE, 17363, 1, 0, 0, 0, -1, { 10, 0, 0, 0, 4244840, 334736,
           { 0, 0, 1, 46070.335, 1.6504751 } } },
-        { SP_FUZZ_RUBBLE, 17370, 1, 0, 0, 0, -1, { 10, 0, 0, 0, 2196504, 115544,
+        { SP_FUZZ_RUBBLE, 17370, 1, 0, 0, 0, -1, { 10, 0, 0, 0, 2196504, 216584,
           { 0, 0, 1, 19069.554, 1.5688909 } } },
-        { SP_FUZZ_RUBBLE, 17376, 1, 0, 0, 0, -1, { 10, 0, 0, 0, 3223698, 156920,
+        { SP_FUZZ_RUBBLE, 17376, 1, 0, 0, 0, -1, { 10, 0, 0, 0, 3223698, 316024,
           { 0, 0, 1, 15800.387, 1.0612529 } } }
     };
     COMPARE(rows, slide_it);
@@ -836,7 +835,7 @@ TEST(drawn_sliding_limits_take_the_work_written_here)
 TEST(drawn_sliding_limits_with_more_histories_take_the_work_written_here)
 {
     static const drawn rows[] = {
-        { SP_FUZZ_RUBBLE, 10, 1, 1, 0, 1, -1, { 10, 0, 0, 0, 112106352, 431168,
+        { SP_FUZZ_RUBBLE, 10, 1, 1, 0, 1, -1, { 10, 0, 0, 0, 112106352, 965776,
           { 5.1417384e-16, 5.1417384e-16, 28854.893, 35629.728, 0.81439681 } } }
     };
     COMPARE(rows, slide_it);
