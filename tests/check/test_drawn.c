@@ -16,7 +16,7 @@
 /* Any frusta; stones wedged in by triangles, and the same without friction; below these a family. */
 enum { BYTES = SP_FUZZ_FAMILIES, WEDGED, SMOOTH };
 
-/* `count` scenes of a kind from seed `first` on. turn: about (2, 3, 4) by 159 degrees. glue: as tally_scene. live: times it is
+/* `count` scenes of a kind from seed `first` on. turn: 1 turned, 2 in another order. glue: as tally_scene. live: times it is
  * pushed sideways by a gravity, a family < 0 in its plane. how: as each question takes it. is.kind: how many answers are the
  * first word of their kind, and ten times those that are the second, and so on. */
 typedef struct drawn {
@@ -85,14 +85,16 @@ static sp_scene wedged(uint64_t seed, int smooth)
     return s;
 }
 
-static sp_scene turned(const sp_scene *s)
+/* About (2, 3, 4) by 159 degrees; or in another order, every other joint from its other side. */
+static sp_scene turned(const sp_scene *s, int other)
 {
     static const double q[3][3] = { { -20, 4, 22 }, { 20, -10, 20 }, { 10, 28, 4 } };
     int32_t place[MOST], name[MOST];
     change c = none();
     sp_scene t;
+    c.permute = c.turn = c.swap = other;
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) c.q[i][j] = q[i][j] / 30;
+        for (int j = 0; j < 3 && !other; j++) c.q[i][j] = q[i][j] / 30;
     copy(s, &c, &t, place, name);
     for (int i = 0; i < 3; i++) t.body[i] = R(c.q[i][0] * s->body[0] + c.q[i][1] * s->body[1] + c.q[i][2] * s->body[2]);
     t.live = s->live;
@@ -112,7 +114,7 @@ static sp_scene drawn_scene(const drawn *d, int k)
         s.live = R(fabs(d->live));
         if (d->live < 0) s.body[1] = 0;
     }
-    if (d->turn) s = turned(&s);
+    if (d->turn) s = turned(&s, d->turn > 1);
     tally_glue(&s, d->glue);
     test_arena.peak = test_arena.used;
     return s;
@@ -904,6 +906,64 @@ TEST(drawn_sets_that_are_held_take_the_work_written_here)
     COMPARE(rows, hold_it);
 }
 
+TEST(checks_in_another_order_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 1500, 30, 2, 0, PLANNED, 0.1, { 32042640, 694, 631, 9, 7784111, 1758024,
+          { 12.308646, 2.055743, 1717080.4, 40.675451, 267777.12 } } },
+        { SP_FUZZ_RUBBLE, 140, 4, 2, 0, PLANNED, -0.2, { 4440040, 13, 9, 0, 371574, 744932,
+          { 1.1414286e-14, 0, 83304.723, 0, -4 } } },
+        { SP_FUZZ_ARCH, 140, 3, 2, 0, PLANNED, -0.2, { 3330030, 8, 5, 0, 133384, 427756,
+          { 3.6140613e-15, 0, 131111.38, 0, -3 } } },
+        { SP_FUZZ_WALL, 140, 2, 2, 0, IN_8, -0.3, { 2220020, 8, 6, 0, 386235, 546576,
+          { 3.0897611e-15, 0, 462609.34, 0, -2 } } },
+        { SP_FUZZ_STACK, 140, 8, 2, 0, COUPLED, -0.1, { 10510170, 3696, 3654, 0, 90514406, 96675324,
+          { 0.046918195, 0.0049249938, 196888.61, 0.0074104322, 4102.4782 } } },
+        { WEDGED, 2400, 20, 2, 0, PLANNED, 0, { 22600470, 156, 136, 5, 2235739, 704276,
+          { 1.5934849, 0.26435746, 21571.094, 2.7488509, 2533.996 } } },
+        { BYTES, 1530, 4, 2, 0, COUPLED, 0, { 4700220, 6512, 6323, 0, 51978500, 47481904,
+          { 2, 0.56169231, 143744.46, 0.019937707, 34118.081 } } },
+        { SP_FUZZ_STACK, 150, 10, 2, 4, PLANNED, 0.1, { 8300100, 14, 4, 0, 279883, 897624,
+          { 1.2031689e-14, 0, 223081.75, 0, -10 } } }
+    };
+    COMPARE(rows, check_it);
+}
+
+TEST(limits_in_another_order_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 1540, 10, 2, 0, PLANNED, 1, { 370, 98, 79, 69, 3141181, 537376,
+          { 0.69454939, 3.6945495, -3, 1.2781748e-07, 0.0044333538 } } },
+        { SP_FUZZ_ARCH, 145, 2, 2, 0, PLANNED, -1, { 20, 22, 18, 16, 765120, 261016,
+          { 0.64681489, 0.64681495, 0, 8.6366779e-08, 3.002496e-09 } } },
+        { SP_FUZZ_STACK, 145, 6, 2, 7, PLANNED, 1, { 60, 226, 202, 0, 9706728, 547556,
+          { 9.9137475, 9.9137476, 0, 1.9942632e-07, 9.0000032e-09 } } }
+    };
+    COMPARE(rows, limit_it);
+}
+
+TEST(sliding_in_another_order_takes_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { SP_FUZZ_RUBBLE, 150, 1, 2, 0, 0, -1, { 10, 0, 0, 0, 3146524, 322936,
+          { 0, 0, 1, 5573.0642, 0.80022393 } } },
+        { SP_FUZZ_STACK, 155, 6, 2, 0, 0, -1, { 33, 0, 0, 0, 129922, 674944,
+          { 2.5102271, 2.5102271, 14724.27, 15655.339, 1.6345261 } } }
+    };
+    COMPARE(rows, slide_it);
+}
+
+TEST(buildings_in_another_order_take_the_work_written_here)
+{
+    static const drawn rows[] = {
+        { BYTES, 1550, 12, 2, 0, 0, 0.2, { 5110, 221, 135, 15, 1733226, 359280,
+          { 33.636286, 12.994294, 886837.43, 53.562936, 26469649 } } },
+        { SP_FUZZ_RUBBLE, 155, 2, 2, 0, 1, 0.1, { 2600, 943, 735, 116, 27866351, 167360,
+          { 19.760778, 3.8100622, 405159.27, 36.776195, 1.1382193e+08 } } }
+    };
+    COMPARE(rows, build_it);
+}
+
 /* What memory held before: nothing, no numbers, small numbers. */
 static void paint(int with)
 {
@@ -979,6 +1039,10 @@ TEST_LIST(drawn)
     RUN(drawn_contacts_take_the_work_written_here)
     RUN(drawn_buildings_take_the_work_written_here)
     RUN(drawn_sets_that_are_held_take_the_work_written_here)
+    RUN(checks_in_another_order_take_the_work_written_here)
+    RUN(limits_in_another_order_take_the_work_written_here)
+    RUN(sliding_in_another_order_takes_the_work_written_here)
+    RUN(buildings_in_another_order_take_the_work_written_here)
 #endif
     RUN(no_answer_depends_on_what_memory_held)
 #endif
