@@ -147,21 +147,26 @@ static int sp__rest_behind(const sp_mesh *mesh, const sp_real n[3], const sp_rea
     return 1;
 }
 
-/* Does a face with these corners lie in the plane (n, o), the whole stone behind it? */
-static int sp__rest_same(const sp_mesh *mesh, const int32_t *corner, int32_t size, const sp_real n[3], const sp_real o[3],
-                         sp_real eps)
+/* Does no corner of a face lie deeper than eps behind the plane through o with normal n? */
+static int sp__rest_in(const sp_mesh *mesh, const int32_t *corner, int32_t size, const sp_real n[3], const sp_real o[3],
+                       sp_real eps)
 {
-    sp_real m[3];
     for (int32_t k = 0; k < size; k++) if (sp__plane_distance(n, o, mesh->xyz + 3 * (size_t)corner[k]) < -eps) return 0;
-    return sp__face_normal(mesh, corner, size, m) && sp__rest_behind(mesh, m, mesh->xyz + 3 * (size_t)corner[0], eps);
+    return 1;
 }
 
-/* Is `face` the first of its faces in the plane (n, o)? So each plane is counted once. */
-static int sp__rest_first(const sp_mesh *mesh, int32_t face, const sp_real n[3], const sp_real o[3], sp_real eps)
+/* Is the face with corners `own` and normal n the first of its plane? So each plane is counted once. An earlier one has the
+ * whole stone behind it, and each lies in the other's plane: a sliver at an edge lies in both planes there, whatever its own. */
+static int sp__rest_first(const sp_mesh *mesh, int32_t face, const int32_t *own, const sp_real n[3], sp_real eps)
 {
     const int32_t *corner = mesh->corner;
-    for (int32_t f = 0; f < face; corner += mesh->size[f++])
-        if (sp__rest_same(mesh, corner, mesh->size[f], n, o, eps)) return 0;
+    const sp_real *o = mesh->xyz + 3 * (size_t)own[0];
+    for (int32_t f = 0; f < face; corner += mesh->size[f++]) {
+        const sp_real *at = mesh->xyz + 3 * (size_t)corner[0];
+        sp_real m[3];
+        if (sp__rest_in(mesh, corner, mesh->size[f], n, o, eps) && sp__face_normal(mesh, corner, mesh->size[f], m)
+            && sp__rest_behind(mesh, m, at, eps) && sp__rest_in(mesh, own, mesh->size[face], m, at, eps)) return 0;
+    }
     return 1;
 }
 
@@ -196,7 +201,7 @@ SP_API sp_status sp_rest_faces(const sp_mesh *mesh, sp_arena scratch, sp_rest *r
         const sp_real *o = mesh->xyz + 3 * (size_t)corner[0];
         sp_rest r = { f, { 0, 0, 0 }, 0, { 0, 0, 0 } };
         if (!sp__face_normal(mesh, corner, mesh->size[f], r.normal)) continue;
-        if (!sp__rest_behind(mesh, r.normal, o, eps) || !sp__rest_first(mesh, f, r.normal, o, eps)) continue;
+        if (!sp__rest_behind(mesh, r.normal, o, eps) || !sp__rest_first(mesh, f, corner, r.normal, eps)) continue;
         status = sp__rest_support(mesh, &mass, o, eps, &r, scratch);
         if (status || !(r.support.clearance > 0)) continue;
         if (found < capacity) rest[found] = r;

@@ -420,6 +420,30 @@ TEST(a_stone_with_feet_rests_on_all_of_them)
     CHECK_INT(count, 6);                                /* feet, top, two ends, front, back */
 }
 
+/* A cube with one more vertex at an edge, 1e-9 of its height up, and so a sliver there, in the plane of the side: it lies in the
+ * plane of the bottom, too, as near as planes are told apart. First or last among the faces, it takes none away. */
+TEST(a_sliver_at_an_edge_takes_no_resting_face_away)
+{
+    static const int32_t size[8] = { 3, 4, 4, 5, 4, 4, 4, 3 };
+    static const int32_t corner[31] = { 0, 1, 8,  0, 3, 2, 1,  4, 5, 6, 7,  0, 8, 1, 5, 4,  1, 2, 6, 5,  2, 3, 7, 6,  3, 0, 4, 7,
+                                        0, 1, 8 };
+    for (int last = 0; last < 2; last++)
+        for (int out = 0; out < 2; out++) {             /* out: the sliver is a chamfer between the two planes */
+            sp_real xyz[27] = { 0 };
+            const sp_mesh m = { 9, 7, xyz, size + last, corner + 3 * last };
+            sp_rest r[7];
+            int32_t count = 0, down_on = 0;
+            box(xyz, 1, 1, 1);
+            xyz[24] = R(0.5);
+            xyz[25] = R(out ? -1e-9 : 0);
+            xyz[26] = R(1e-9);
+            CHECK_INT(sp_rest_faces(&m, test_arena, r, 7, &count), SP_OK);
+            for (int k = 0; k < count && k < 7; k++) down_on += r[k].normal[2] < R(-0.99) && r[k].support.area > R(0.99);
+            CHECK_INT(down_on, 1);
+            CHECK(count == 6 || (out && count == 7));
+        }
+}
+
 TEST(resting_faces_of_random_tetrahedra_are_those_under_their_centroid)
 {
     static const int32_t size[4] = { 3, 3, 3, 3 };
@@ -542,6 +566,7 @@ TEST_LIST(place)
     RUN(a_box_rests_on_six_faces)
     RUN(a_leaning_box_does_not_rest_on_its_short_faces)
     RUN(a_stone_with_feet_rests_on_all_of_them)
+    RUN(a_sliver_at_an_edge_takes_no_resting_face_away)
     RUN(resting_faces_of_random_tetrahedra_are_those_under_their_centroid)
     RUN(the_gate_gives_the_first_reason_in_order)
     RUN(the_gate_is_its_four_conditions_in_10000_random_cases)
