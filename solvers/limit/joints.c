@@ -8,7 +8,7 @@
 #if SP__WITH_LIMIT
 
 /* How far vertex v moves with a block in motion dq; returns what that is small against: the most the block's motion can come to
- * there, and its distance from the centroid, which a mechanism's motion is scaled to. */
+ * there, and its distance from the centroid, which a mechanism's motion is scaled to; 0 of a support, wherever its centroid. */
 static sp_real sp__joint_displace(const sp_scene *scene, const sp_real *dq, int32_t block, int32_t v, sp_real u[3])
 {
     const sp_real *m = dq + 6 * (size_t)block;
@@ -16,7 +16,7 @@ static sp_real sp__joint_displace(const sp_scene *scene, const sp_real *dq, int3
     sp__sub3(scene->point[v], scene->block[block].centroid, arm);
     sp__cross3(m + 3, arm, u);
     sp__add3(u, 1, m);
-    return sp__norm3(m) + (1 + sp__norm3(m + 3)) * sp__norm3(arm);
+    return scene->block[block].fixed == SP_FIXED ? 0 : sp__norm3(m) + (1 + sp__norm3(m + 3)) * sp__norm3(arm);
 }
 
 /* One corner: dn and |dt|.     returns 0 at rest, 1 in touch and sliding, 2 open */

@@ -116,6 +116,26 @@ TEST(an_edge_that_stays_in_touch_is_a_hinge)
     }
 }
 
+/* A support rests wherever its centroid is said to be: what is small is so beside the block that moves alone. */
+TEST(how_far_a_support_lies_away_is_no_matter)
+{
+    for (int side = 0; side < 2; side++)
+        for (int far = 0; far < 2; far++) {
+            sp_real dq[12] = { 0 };
+            sp_joint_motion m;
+            pair();
+            s.block[side].fixed = SP_FIXED;
+            s.block[side].centroid[0] = R(far ? 4.5e6 : 0);
+            s.block[side].centroid[2] = R(far ? -5e6 : -0.7);
+            dq[6 * !side + 4] = R(0.01);                /* about its edge x = 1/2 */
+            dq[6 * !side] = R(0.01) * s.block[!side].centroid[2];
+            dq[6 * !side + 2] = R(0.005);
+            CHECK_INT(sp_joint_moves(&s, dq, 0, &m), SP_OK);
+            CHECK_INT(m.kind, side ? SP_JOINT_SLIDING : SP_JOINT_HINGE);
+            CHECK_WITHIN(m.opening, side ? 0 : 0.01, TOL(1e-9, 1e-6));
+        }
+}
+
 #endif
 
 TEST_LIST(moves)
@@ -123,5 +143,6 @@ TEST_LIST(moves)
     RUN(what_moves_less_than_play_is_at_rest)
     RUN(sliding_ends_where_a_corner_opens_by_more_than_friction_rises_and_play)
     RUN(an_edge_that_stays_in_touch_is_a_hinge)
+    RUN(how_far_a_support_lies_away_is_no_matter)
 #endif
 TEST_END
