@@ -6,13 +6,19 @@
 
 #if SP__WITH_LARGE
 
-/* Does joint t touch a block that moves in the mechanism, by more than a millionth of the largest? Without one all do. */
-static int sp__joint_goes(const sp_joint *t, const sp_real *dq, sp_real largest)
+/* How far the blocks of joint t go in the motion, at most: displacement, and turn times how far the joint is. */
+SP__NOINLINE static sp_real sp__joint_reach(const sp_scene *scene, const sp_joint *t, const sp_real *dq)
 {
     sp_real most = 0;
-    for (int k = 0; k < 6; k++)
-        most = sp__max(most, sp__max(sp__abs(dq[6 * (size_t)t->a + (size_t)k]), sp__abs(dq[6 * (size_t)t->b + (size_t)k])));
-    return !(most < (sp_real)1e-6 * largest);
+    for (int32_t v = t->point; v < t->point + t->points; v++)
+        for (int side = 0; side < 2; side++) {
+            const int32_t b = side ? t->a : t->b;
+            const sp_real *m = dq + 6 * (size_t)b;
+            sp_real arm[3];
+            sp__sub3(scene->point[v], scene->block[b].centroid, arm);
+            most = sp__max(most, sp__norm3(m) + sp__norm3(m + 3) * sp__norm3(arm));
+        }
+    return most;
 }
 
 /* How fast joint t opens or slides in the motion: largest |dd| of its corners. */
@@ -54,16 +60,20 @@ SP__NOINLINE static void sp__read_extremes(const sp_scene *scene, const sp_setti
         most->corner_utilisation = sp__max(most->corner_utilisation, f.corner_utilisation);
     }
     sp_real largest = 0;
-    for (size_t k = 0; r->verdict == SP_UNSTABLE && k < 6 * (size_t)scene->count.blocks; k++)
-        largest = sp__max(largest, sp__abs(r->dq[k]));
+    int moves = 0;
+    for (size_t k = 0; r->verdict == SP_UNSTABLE && k < 6 * (size_t)scene->count.blocks; k++) moves |= sp__abs(r->dq[k]) > 0;
+    for (int32_t k = 0; moves && k < scene->count.joints; k++)
+        if (sp__contact_counts(scene, &scene->joint[k]))
+            largest = sp__max(largest, sp__joint_reach(scene, &scene->joint[k], r->dq));
     const sp_real tiny = 16 * SP__SCALE_TOL * most->compression;
     for (int32_t k = 0; k < scene->count.joints; k++) {
         sp_joint_force f;
-        if (!sp__contact_counts(scene, &scene->joint[k]) || !sp__joint_goes(&scene->joint[k], r->dq, largest)) continue;
+        if (!sp__contact_counts(scene, &scene->joint[k])) continue;
+        if (moves && !(sp__joint_reach(scene, &scene->joint[k], r->dq) > (sp_real)1e-6 * largest)) continue;   /* it rests */
         sp_joint_resultant(scene, r, k, &f);
         const sp_real help = sp__max(r->demand[k].tension, r->demand[k].friction);
         const int wanted = help > tiny;
-        const sp_real score = wanted ? help : largest > 0 ? sp__joint_speed(scene, &scene->joint[k], r->dq)
+        const sp_real score = wanted ? help : moves ? sp__joint_speed(scene, &scene->joint[k], r->dq)
                             : set->seed ? f.corner_utilisation : f.utilisation;
         if (wanted > wants || (wanted == wants && score > worst)) { wants = wanted; worst = score; most->weakest = k; }
     }

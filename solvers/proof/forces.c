@@ -116,8 +116,12 @@ SP__NOINLINE static sp_real sp__certifier_strength_resistance(const sp__certifie
     return shut < open ? shut : open;
 }
 
-/* Longest arm of block i to a joint; where nothing touches it 1, for it may turn. */
-static sp_real sp__certifier_arm(const sp__certifier *j, int32_t i) { return j->scale[i].arm > 0 ? j->scale[i].arm : 1; }
+/* Longest arm of block i to a joint; where nothing touches it half its size, without a mesh 1, for it may turn. */
+static sp_real sp__certifier_arm(const sp__certifier *j, int32_t i)
+{
+    const sp_real size = j->pb->scene->block[j->pb->block[i]].diameter / 2;
+    return j->scale[i].arm > 0 ? j->scale[i].arm : size > 0 ? size : 1;
+}
 
 /* Largest displacement of a joint of block i. */
 static sp_real sp__certifier_displacement(const sp__certifier *j, int32_t i)
@@ -276,13 +280,14 @@ static int32_t sp__budget_sweeps(const sp_settings *set, const sp_problem *pb, i
 static void sp__motion_write(const sp__certifier *j, sp_real *dq)
 {
     const sp_problem *pb = j->pb;
-    sp_real largest = 0, block = 0;
+    sp_real largest = 0, block = 0, lone = 0;
     for (int32_t i = 0; i < pb->blocks; i++) {
         const sp_real *m = j->dual.motion + 6 * (size_t)i;
         block = sp__max(block, j->scale[i].arm);
+        lone = sp__max(lone, sp__certifier_arm(j, i));
         largest = sp__max(largest, sp__max(sp__norm3(m), sp__norm3(m + 3) * sp__certifier_arm(j, i)));
     }
-    const sp_real scale = largest > 0 ? (block > 0 ? block : 1) / largest : 0;
+    const sp_real scale = largest > 0 ? (block > 0 ? block : lone) / largest : 0;
     for (int32_t i = 0; i < pb->blocks; i++)
         for (size_t k = 0; k < 6; k++) dq[6 * (size_t)pb->block[i] + k] = scale * j->dual.motion[6 * (size_t)i + k];
 }

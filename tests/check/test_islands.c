@@ -33,6 +33,39 @@ TEST(of_two_islands_the_one_that_falls_is_named_and_moves_alone)
     }
 }
 
+/* A cube tips over the edge of a ledge, another one touches nothing: both go, as far in one unit of length as in the next. */
+TEST(the_motion_of_a_stone_that_touches_nothing_has_no_unit)
+{
+    static const double unit[5] = { 1, 1024, 0.25, 1.0 / 1024, 1.0 / 1048576 };
+    static const int32_t size[6] = { 4, 4, 4, 4, 4, 4 };
+    static const int32_t corner[24] = { 0, 3, 2, 1,  4, 5, 6, 7,  0, 1, 5, 4,  1, 2, 6, 5,  2, 3, 7, 6,  3, 0, 4, 7 };
+    for (int k = 0; k < 5; k++) {
+        const sp_capacity cap = { 3, 24, 18, 72, 1, 4, 0 };
+        const sp_strength strength = sp_strength_friction(R(0.7));
+        const sp_real u = R(unit[k]), foot[12] = { 0, 0, 0, R(0.4) * u, 0, 0, R(0.4) * u, u, 0, 0, u, 0 };
+        sp_scene s;
+        test_arena.used = 0;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        for (int b = 0; b < 3; b++) {                   /* the ledge, the one that tips, the other one */
+            sp_real xyz[24];
+            const sp_mesh m = { 8, 6, xyz, size, corner };
+            for (int v = 0; v < 8; v++) {
+                xyz[3 * v] = u * R((v % 4 == 1 || v % 4 == 2) + (b == 2 ? 5 : b ? 0 : -0.6));
+                xyz[3 * v + 1] = u * R(v % 4 >= 2);
+                xyz[3 * v + 2] = u * R((v >= 4) - (b == 0));
+            }
+            CHECK_INT(sp_scene_block(&s, &m, 2400, b ? 0 : SP_FIXED, NULL), SP_OK);
+        }
+        CHECK_INT(sp_scene_joint(&s, 0, 1, 4, foot, &strength, NULL), SP_OK);
+        const sp_result r = check(&s, NULL, &test_arena);
+        CHECK_INT(r.verdict, SP_UNSTABLE);
+        CHECK_INT(r.islands.count, 2);
+        CHECK_INT(r.extremes.weakest, 0);
+        CHECK_NEAR(r.dq[6 * 1 + 4], 1, TOL(1e-6, 1e-3));
+        CHECK_NEAR(r.dq[6 * 2 + 2], -unit[k] * sqrt(0.75), TOL(1e-6, 1e-3));            /* as far as half its diagonal */
+    }
+}
+
 TEST(each_island_keeps_its_own_verdict_and_the_worst_is_that_of_all)
 {
     static const struct { double left, right; sp_verdict verdict[3]; } want[] = {
@@ -518,6 +551,7 @@ TEST(supports_join_nothing_and_contacts_between_them_take_no_part)
 
 TEST_LIST(islands)
     RUN(of_two_islands_the_one_that_falls_is_named_and_moves_alone)
+    RUN(the_motion_of_a_stone_that_touches_nothing_has_no_unit)
     RUN(each_island_keeps_its_own_verdict_and_the_worst_is_that_of_all)
     RUN(what_falls_is_worse_than_what_is_open_and_that_worse_than_what_stands)
     RUN(islands_solved_apart_and_together_agree_and_their_memory_is_exact)
