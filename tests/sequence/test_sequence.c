@@ -694,6 +694,36 @@ TEST(the_same_steps_give_the_same_bits)
     }
 }
 
+/* A stone on the ground and one on it that may not go anywhere, only turn: a couple turns it, and it alone, in place. */
+TEST(what_turns_in_place_is_the_block_that_moves)
+{
+    const sp_capacity cap = { 3, 0, 0, 0, 2, 8, 1 };
+    const sp_real at[3][3] = { { R(0.5), R(0.5), R(-0.5) }, { R(0.5), R(0.5), R(0.5) }, { R(0.5), R(0.5), R(1.5) } };
+    const sp_strength strength = sp_strength_friction(R(0.1));
+    for (int32_t above = 1; above < 3; above++) {
+        sp_scene s;
+        sp_sequence *q;
+        sp_step step;
+        test_arena.used = 0;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        CHECK_INT(sp_scene_body(&s, 1000, at[0], SP_FIXED, NULL), SP_OK);
+        for (int32_t b = 1; b < 3; b++)
+            CHECK_INT(sp_scene_body(&s, 1000, at[b == above ? 2 : 1], b == above ? 7 : 0, NULL), SP_OK);
+        for (int k = 0; k < 2; k++) {                   /* the upper foot is left of its centroid */
+            const sp_real w = k ? R(0.4) : 1, z = R(k), foot[12] = { 0, 0, z, w, 0, z, w, 1, z, 0, 1, z };
+            CHECK_INT(sp_scene_joint(&s, k ? 3 - above : 0, k ? above : 3 - above, 4, foot, &strength, NULL), SP_OK);
+        }
+        const sp_load turn = { above, 0, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 1000, 0 }, 0 };
+        CHECK_INT(sp_scene_load(&s, &turn, NULL), SP_OK);
+        NEED(sp_sequence_open(&s, NULL, &test_arena, &q) == SP_OK);
+        CHECK_INT(sp_sequence_set(q, 3 - above, SP_PRESENT, &step), SP_OK);
+        CHECK_INT(step.verdict, SP_STABLE);
+        CHECK_INT(sp_sequence_set(q, above, SP_PRESENT, &step), SP_OK);
+        CHECK_INT(step.verdict, SP_UNSTABLE);
+        CHECK_INT(step.block, above);
+    }
+}
+
 TEST(what_makes_no_sense_is_refused)
 {
     sp_scene s;
@@ -749,5 +779,6 @@ TEST_LIST(sequence)
     RUN(a_budget_ends_the_search_with_a_set_that_stands)
     RUN(sequence_memory_is_exact)
     RUN(the_same_steps_give_the_same_bits)
+    RUN(what_turns_in_place_is_the_block_that_moves)
     RUN(what_makes_no_sense_is_refused)
 TEST_END
