@@ -140,7 +140,7 @@ SP__NOINLINE static sp_status sp__plan_run(const sp_scene *scene, sp__planner *p
     sp_status status = sp__memory(scene, &p->set, NULL, scratch, &p->o.bytes);
     sp__island_counts counts = { 1, 0, 0 };
     if (!status) status = sp__islands_count(scene, &p->set, scratch, &counts);
-    p->o.islands = counts.islands;
+    p->o.islands = counts.blocks > 0 || counts.islands > 1 ? counts.islands : 0;
     if (!status && p->o.islands > 1) status = sp__plan_islands(scene, p->o.islands, &p->set, scratch, &p->planned);
     p->set.effect[SP_EFFECT_TOGETHER] = SP_WITH;
     if (!status) status = sp__memory(scene, &p->set, NULL, scratch, &p->o.full_bytes);

@@ -244,6 +244,23 @@ TEST(a_plan_names_every_effect_and_its_bytes_are_those_of_the_check)
     CHECK_INT(o.effect[SP_EFFECT_FRICTION].why, SP_WHY_LEFT_OUT);
 }
 
+TEST(where_nothing_is_free_a_plan_has_no_island_as_a_check)
+{
+    const sp_capacity cap = { 2, 0, 0, 0, 0, 0, 0 };
+    const sp_real at[3] = { 0, 0, 0 };
+    for (int free_one = 0; free_one < 2; free_one++) {
+        sp_scene s;
+        sp_outlook o;
+        test_arena.used = 0;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        CHECK_INT(sp_scene_body(&s, 1, at, SP_FIXED, NULL), SP_OK);
+        CHECK_INT(sp_scene_body(&s, 1, at, free_one ? 0 : SP_FIXED, NULL), SP_OK);
+        CHECK_INT(sp_plan(&s, NULL, test_arena, &o), SP_OK);
+        CHECK_INT(o.islands, free_one);
+        CHECK_INT(check(&s, NULL, &test_arena).islands.count, free_one);
+    }
+}
+
 TEST(a_plan_with_unusable_arguments_is_refused)
 {
     sp_scene s = part("two-cubes", NULL, 0, -1);
@@ -276,5 +293,6 @@ TEST_LIST(plan)
     RUN(without_friction_pressure_alone_tells_what_falls_although_joints_form_rings)
     RUN(an_effect_left_out_by_force_never_makes_a_wrong_verdict)
     RUN(a_plan_names_every_effect_and_its_bytes_are_those_of_the_check)
+    RUN(where_nothing_is_free_a_plan_has_no_island_as_a_check)
     RUN(a_plan_with_unusable_arguments_is_refused)
 TEST_END
