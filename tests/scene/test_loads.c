@@ -116,6 +116,32 @@ TEST(a_hung_weight_follows_gravity)
     CHECK_INT(verdict(&s), SP_UNSTABLE);
 }
 
+/* Of a face so small that the product of two areas and a length underflows in float, and as large. */
+TEST(the_centroid_of_a_face_has_no_unit)
+{
+    static const int32_t size[6] = { 4, 4, 4, 4, 4, 4 };
+    static const int32_t corner[24] = { 0, 3, 2, 1,  4, 5, 6, 7,  0, 1, 5, 4,  1, 2, 6, 5,  2, 3, 7, 6,  3, 0, 4, 7 };
+    static const double unit[5] = { 1e-11, 1e-9, 1, 1e6, 1e8 };
+    for (int k = 0; k < 5; k++) {
+        const sp_capacity cap = { 1, 8, 6, 24, 0, 0, 1 };
+        sp_real xyz[24];
+        const sp_mesh m = { 8, 6, xyz, size, corner };
+        sp_scene s;
+        test_arena.used = 0;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        for (int v = 0; v < 8; v++) {
+            xyz[3 * v] = R(unit[k] * (v % 4 == 1 || v % 4 == 2));
+            xyz[3 * v + 1] = R(unit[k] * (v % 4 >= 2));
+            xyz[3 * v + 2] = R(unit[k] * (v >= 4));
+        }
+        CHECK_INT(sp_scene_block(&s, &m, 1, 0, NULL), SP_OK);
+        NEED(sp_scene_pressure(&s, 0, 0, 1, 0, NULL) == SP_OK);
+        CHECK_NEAR(s.load[0].point[0] / R(unit[k]), 0.5, TOL(1e-12, 1e-5));
+        CHECK_NEAR(s.load[0].point[1] / R(unit[k]), 0.5, TOL(1e-12, 1e-5));
+        CHECK_NEAR(s.load[0].force[2] / R(unit[k]) / R(unit[k]), 1, TOL(1e-12, 1e-5));
+    }
+}
+
 TEST(pressure_on_a_face_pushes_at_its_centroid)
 {
     for (int side = -1; side <= 1; side += 2) {
@@ -489,6 +515,7 @@ TEST_LIST(loads)
     RUN(a_couple_about_the_vertical_is_held_by_friction_at_the_corners)
     RUN(a_weight_over_the_edge_topples_by_the_lever)
     RUN(a_hung_weight_follows_gravity)
+    RUN(the_centroid_of_a_face_has_no_unit)
     RUN(pressure_on_a_face_pushes_at_its_centroid)
     RUN(live_loads_count_as_often_as_the_scene_says)
     RUN(a_live_body_force_slides_at_mu)
