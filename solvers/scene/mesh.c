@@ -38,12 +38,14 @@ static uint64_t sp__place_hash(const sp_real x[3])
     for (int c = 0; c < 3; c++) {
         const sp_real v = x[c] + (sp_real)0;            /* -0 + 0 = +0 */
 #ifdef SP_REAL_FLOAT
-        uint32_t bits;
+        uint32_t bits[1];
+#elif defined SP_REAL_QUAD
+        uint64_t bits[2];                               /* of most numbers one half is 0 */
 #else
-        uint64_t bits;
+        uint64_t bits[1];
 #endif
-        memcpy(&bits, &v, sizeof bits);
-        h = sp__hash_mix(h + UINT64_C(0x9e3779b97f4a7c15) + bits);
+        memcpy(bits, &v, sizeof bits);
+        for (size_t k = 0; k < sizeof bits / sizeof *bits; k++) h = sp__hash_mix(h + UINT64_C(0x9e3779b97f4a7c15) + bits[k]);
     }
     return h;
 }
