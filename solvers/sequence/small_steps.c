@@ -95,19 +95,17 @@ static int sp__free_now(const sp_sequence *q, int32_t b)
 static void sp__sequence_report(const sp_sequence *q, sp_step *step)
 {
     const sp_result *r = &q->r;
-    sp_real most = -1, turned = 0;
+    sp_real most = -1;
     memset(step, 0, sizeof *step);
     step->verdict = r->verdict;
     step->reason = r->reason;
     step->final = r->final;
     step->block = -1;
-    for (int32_t b = 0; b < q->scene->count.blocks && r->verdict != SP_STABLE; b++) {
-        const sp_real far = sp__norm3(r->dq + 6 * (size_t)b), turn = sp__norm3(r->dq + 6 * (size_t)b + 3);
-        if (!sp__free_now(q, b) || (!(far > most) && !(far >= most && turn > turned))) continue;
-        most = far;
-        turned = turn;
-        step->block = b;
-    }
+    for (size_t k = 0; k < 6 && !(most > 0); k += 3)    /* where nothing goes anywhere, what turns */
+        for (int32_t b = 0; b < q->scene->count.blocks && r->verdict != SP_STABLE; b++) {
+            const sp_real moves = sp__norm3(r->dq + 6 * (size_t)b + k);
+            if (sp__free_now(q, b) && moves > most) { most = moves; step->block = b; }
+        }
     step->islands = step->checked = r->islands.count;
     step->blocks = step->again = r->counts.free_blocks;
     step->imbalance = r->imbalance;

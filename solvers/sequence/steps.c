@@ -71,7 +71,7 @@ static int sp__verdict_worse(sp_verdict a, sp_verdict b)
 /* The result of the step. */
 SP__NOINLINE static void sp__sequence_report(sp_sequence *q, sp_step *step)
 {
-    sp_real most = -1, turned = 0;
+    sp_real most = -1;
     memset(step, 0, sizeof *step);
     step->verdict = SP_STABLE;
     step->reason = SP_REASON_NOTHING;
@@ -91,14 +91,14 @@ SP__NOINLINE static void sp__sequence_report(sp_sequence *q, sp_step *step)
             step->least_imbalance = s->least;
         }
     }
-    for (int32_t b = 0, root = step->block; root >= 0 && b < q->scene->count.blocks; b++) {
-        const sp_real *dq = q->now.dq + 6 * (size_t)b, far = sp__norm3(dq), turn = sp__norm3(dq + 3);
-        if (!sp__free_now(q, b) || sp__root(q->island, b) != sp__root(q->island, root)) continue;
-        if (!(far > most) && !(far >= most && turn > turned)) continue;                 /* what turns in place moves, too */
-        most = far;
-        turned = turn;
-        step->block = b;
-    }
+    const int32_t root = step->block;
+    for (size_t k = 0; k < 6 && !(most > 0); k += 3)    /* where nothing goes anywhere, what turns */
+        for (int32_t b = 0; root >= 0 && b < q->scene->count.blocks; b++) {
+            const sp_real moves = sp__norm3(q->now.dq + 6 * (size_t)b + k);
+            if (!sp__free_now(q, b) || sp__root(q->island, b) != sp__root(q->island, root) || !(moves > most)) continue;
+            most = moves;
+            step->block = b;
+        }
     step->checked = q->spent.checked;
     step->again = q->spent.again;
     step->local = q->spent.local;

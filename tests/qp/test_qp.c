@@ -709,6 +709,12 @@ TEST(words_of_quadratic_programs_are_there_without_stones)
     CHECK_TEXT(sp_qp_status_text((sp_qp_status)99), "unknown");
     CHECK_TEXT(sp_status_text(SP_OK), "no error");
     CHECK_TEXT(sp_text((sp_words)99, 0), "unknown");
+    CHECK_TEXT(sp_text(SP_WORDS_STATUS, 1), "unknown");
+    CHECK_TEXT(sp_text(SP_WORDS_STATUS, -17), "unknown");
+    CHECK_TEXT(sp_text(SP_WORDS_STATUS, INT32_MIN), "unknown");
+    CHECK_TEXT(sp_text(SP_WORDS_QP_STATUS, -1), "unknown");
+    CHECK_TEXT(sp_text(SP_WORDS_QP_STATUS, 6), "numerical");
+    CHECK_TEXT(sp_text(SP_WORDS_QP_STATUS, 7), "unknown");
 #ifdef SP_QP_ONLY
     for (int of = SP_WORDS_VERDICT; of <= SP_WORDS_NBO; of++) CHECK_TEXT(sp_text((sp_words)of, 0), "unknown");
 #else
