@@ -63,7 +63,7 @@
 #define SP__WORDS_STRONG_REASON "does not stand\0" "pressure\0" "motion\0" "nothing found\0" "not asked\0" "cases\0" \
                                 "even friction\0"
 
-/* All words of all enumerations in the order of sp_words, and how many each has. No table of pointers, so nothing to relocate. */
+/* All words of all enumerations in the order of sp_words, and how many each has: no pointers, so nothing to relocate. */
 static const char sp__words[] = SP__WORDS_STATUS SP__WORDS_QP_STATUS
 #if SP__WITH_STONES
     SP__WORDS_VERDICT SP__WORDS_LEVEL SP__WORDS_REASON SP__WORDS_STAGE SP__WORDS_EFFECT SP__WORDS_EFFECT_WHY SP__WORDS_COUPLING

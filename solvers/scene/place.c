@@ -156,7 +156,7 @@ static int sp__rest_in(const sp_mesh *mesh, const int32_t *corner, int32_t size,
 }
 
 /* Is the face with corners `own` and normal n the first of its plane? So each plane is counted once. An earlier one has the
- * whole stone behind it, and each lies in the other's plane: a sliver at an edge lies in both planes there, whatever its own. */
+ * whole stone behind it, and each lies in the other's plane: a sliver at an edge lies in both planes there. */
 static int sp__rest_first(const sp_mesh *mesh, int32_t face, const int32_t *own, const sp_real n[3], sp_real eps)
 {
     const int32_t *corner = mesh->corner;
