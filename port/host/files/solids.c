@@ -8,6 +8,7 @@
 #include <string.h>
 
 #define WARPED 1e-2                     /* of a block's size: from there on faces become triangles; the library refuses more */
+#define SHARPEST 1e-3                   /* [rad] no stone has a sharper edge: faces that meet at less lie on each other */
 
 static int32_t faces_end(const obj_file *f, int32_t b) { return b + 1 < f->blocks ? f->block[b + 1].face : f->faces; }
 
@@ -397,8 +398,8 @@ static int32_t list_sides(const obj_file *f, int32_t first, int32_t end, side *l
     return n;
 }
 
-/* About the edge of side a, by how much one turns from its face through the stone to the face of b: 0 .. 2 pi.
- * Into a face from its edge: n x edge; into the stone: -n. */
+/* About the edge of side a, by how much one turns from its face through the stone to the face of b: up to 2 pi, which also is
+ * what a face in the same place has, whatever is rounded. Into a face from its edge: n x edge; into the stone: -n. */
 static double turn_to(const obj_file *f, const side *a, const side *b)
 {
     double n[3], m[3], u[3], w[3], x = 0, y = 0;
@@ -413,7 +414,7 @@ static double turn_to(const obj_file *f, const side *a, const side *b)
     x = dot(u, w) * sqrt(dot(n, n));
     y = -dot(n, w) * sqrt(dot(u, u));
     const double turn = atan2(y, x);
-    return turn > 0 ? turn : turn + 2 * acos(-1.0);
+    return turn > SHARPEST ? turn : turn + 2 * acos(-1.0);
 }
 
 /* The faces at one edge: each that runs forward goes with the first backward one through the stone. */
