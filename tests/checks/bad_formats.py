@@ -210,6 +210,7 @@ def bad_xml():
 
 def bad_3mf():
     good = zipped(model_3mf())
+    sound("SHOUTED.3MF", good, "STABLE", "--fixed", "lowest", remark="millimetres in most such files")
     broken("corner.3mf", zipped(model_3mf(index="<triangle v1='0' v2='1' v3='999'/>")))
     broken("nan.3mf", zipped(model_3mf(points="<vertex x='nan' y='0' z='0'/>" * 8)))
     broken("no-triangles.3mf", zipped(model_3mf(index=" ")))

@@ -27,8 +27,9 @@ static int is_one_of(const char *word, const char *const *list)
 
 int meshes_is_known(const char *path)
 {
-    static const char *const known[] = { "stl", "ply", "off", "gltf", "glb", "dae", "fbx", "x3d", "amf", "dxf", NULL };
-    return is_one_of(ending(path), known) || strcmp(ending(path), "3mf") == 0 || strcmp(ending(path), "3ds") == 0;
+    static const char *const known[] = { "stl", "ply", "off", "gltf", "glb", "dae", "fbx", "x3d", "amf", "dxf", "3mf",
+                                        "3ds", NULL };
+    return is_one_of(ending(path), known);
 }
 
 #ifndef WITH_ASSIMP
@@ -240,7 +241,7 @@ static void set_axes(const char *path, const amendments *asked, obj_file *f, rem
     } else if (strcasecmp(ending(path), "fbx") == 0) {
         if (!up || !unit)
             remarks_add(told, "--unit UNIT, --up AXIS", "read in the unit and with the axis up that the file tells; otherwise");
-    } else if (strcmp(ending(path), "3mf") == 0 && !f->unit.over && !unit) {
+    } else if (strcasecmp(ending(path), "3mf") == 0 && !f->unit.over && !unit) {
         remarks_add(told, "--unit mm", "lengths were taken for metres, and are millimetres in most such files");
     }
 }
