@@ -154,7 +154,8 @@ sliding() {                                             # a limit without dilata
 another() {                                             # a result says what it was asked; that is not what verify is asked
     gen wall && "$cli" check --json --forces --tilt 5 --tol 1e-3 "$tmp/scene.obj" > "$tmp/result.json"
     says 'undecided by .* the result.s tol is 0.001, the result.s gravity is' "$cli" verify "$tmp/scene.obj" "$tmp/result.json" &&
-    says 'stable by .* tol 0.001, tilted by 5 degrees: ' "$cli" verify --tol 1e-3 --tilt 5 "$tmp/scene.obj" "$tmp/result.json" ||
+    says 'stable by .* tol 0.001, tilted by 5 degrees: ' "$cli" verify --tol 1e-3 --tilt 5 "$tmp/scene.obj" "$tmp/result.json" &&
+    says 'undecided by .* tol 0.001, tilted by -5 degrees, ' "$cli" verify --tol 1e-3 --tilt -5 "$tmp/scene.obj" "$tmp/result.json" ||
     return 1
     says 'undecided by' "$cli" verify --mu 0.01 --tilt 5 "$tmp/scene.obj" "$tmp/result.json" || return 1
     gen two-cubes && "$cli" check --json --forces "$tmp/scene.obj" > "$tmp/result.json"

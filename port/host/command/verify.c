@@ -6,6 +6,7 @@
 #include "../files/json_out.h"
 #include "report.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -401,7 +402,7 @@ static void print_evidence(const char *scene_path, const char *path, const verif
     char imbalance[32], least[32];
     printf("%s: %s by %s, cone %s, tol %.2g", scene_path, sp_verdict_text(e->verdict), path, o->cone, (double)o->settings.tol);
     if (o->scene.mu >= 0) printf(", friction %g", (double)o->scene.mu);
-    if (o->tilt > 0) printf(", tilted by %g degrees", o->tilt);
+    if (fabs(o->tilt) > 0) printf(", tilted by %g degrees", o->tilt);
     print_other_question(v);
     printf(": ");
     if (e->verdict == SP_UNSTABLE && !(e->margin > 0))
