@@ -488,7 +488,7 @@ cut_name() {
 part "fixed: a name that is cut: told"      cut_name
 part "beside: no geometry"                  beside_refused 'the model has the geometry' '\nv 0 0 0\n'
 part "beside: a bad unit: 65"               beside_refused 'unit is mm, cm, m or in' '\n#@ unit km\n'
+part "beside: a group, which says nothing: 65" beside_refused "after 'o NAME', not 'g NAME'" '\ng b5\n#@ density 3000\n'
 part "beside: a load on nothing: 65"        beside_refused "block 'x', which does not exist" '\n#@ load x 0 0 0 0 0 0\n'
 part "beside: fixed before any block: 65"   beside_refused "'fixed' before" '\n#@ fixed\n'
-
 total

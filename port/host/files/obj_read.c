@@ -241,7 +241,8 @@ static int read_group(reader *r)
     const int32_t line = r->at.line;
     text_word name;
 
-    if (r->beside || r->has_objects) return 0;
+    if (r->beside) return fail(r, "lines beside a model are about blocks after 'o NAME', not 'g NAME'");
+    if (r->has_objects) return 0;
     if (r->unnamed) return refuse_unnamed(r);
     if (!read_name(r, &name)) name = unnamed;
     r->group = name;
