@@ -491,4 +491,11 @@ part "beside: a bad unit: 65"               beside_refused 'unit is mm, cm, m or
 part "beside: a group, which says nothing: 65" beside_refused "after 'o NAME', not 'g NAME'" '\ng b5\n#@ density 3000\n'
 part "beside: a load on nothing: 65"        beside_refused "block 'x', which does not exist" '\n#@ load x 0 0 0 0 0 0\n'
 part "beside: fixed before any block: 65"   beside_refused "'fixed' before" '\n#@ fixed\n'
+no_xml() {                                              # U+FFFF in a name is no text of XML
+    awk '/^o b1$/ { print "o x\357\277\277"; next } { print }' arch.obj > noncharacter.obj
+    "$cli" check --quiet --fixed b0,b16 --names --svg noncharacter.svg noncharacter.obj > out &&
+    grep -q '>x?<' noncharacter.svg && ! LC_ALL=C grep -q "$(printf '\357\277\277')" noncharacter.svg
+}
+part "a name with U+FFFF in a picture"      no_xml
+
 total

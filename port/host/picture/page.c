@@ -15,6 +15,12 @@ void page_begin(FILE *out, double height)
 
 void page_end(FILE *out) { fputs("</svg>\n", out); }
 
+/* U+FFFE and U+FFFF, which XML may not hold. */
+static int is_no_character(const char *s, int bytes)
+{
+    return bytes == 3 && s[0] == '\xef' && s[1] == '\xbf' && (s[2] == '\xbe' || s[2] == '\xbf');
+}
+
 void page_text(FILE *out, const char *s, size_t most)
 {
     for (size_t n = 0; *s && n < most; n++) {
@@ -22,7 +28,7 @@ void page_text(FILE *out, const char *s, size_t most)
         if (*s == '<') fputs("&lt;", out);
         else if (*s == '>') fputs("&gt;", out);
         else if (*s == '&') fputs("&amp;", out);
-        else if (bytes == 0 || (unsigned char)*s < 32 || *s == 127) fputc('?', out);
+        else if (bytes == 0 || (unsigned char)*s < 32 || *s == 127 || is_no_character(s, bytes)) fputc('?', out);
         else fwrite(s, 1, (size_t)bytes, out);
         s += bytes ? bytes : 1;
     }
