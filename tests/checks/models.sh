@@ -336,9 +336,18 @@ turned_shells() {                                       # stones that share face
         done
     done
 }
+crossed_shells() {                                      # a cube on a cube; of the warped face between them each has its own triangles
+    for lift in 1.006 0.994; do
+        printf 'v %s\n' '0 0 0' '1 0 0' '1 1 0' '0 1 0' '0 0 1' '1 0 1' "1 1 $lift" '0 1 1' '0 0 2' '1 0 2' '1 1 2' '0 1 2' > crossed.obj
+        printf 'f %s\n' '4 3 2 1' '5 6 7' '5 7 8' '1 2 6 5' '2 3 7 6' '3 4 8 7' '4 1 5 8' \
+            '6 5 8' '6 8 7' '9 10 11 12' '5 6 10 9' '6 7 11 10' '7 8 12 11' '8 5 9 12' >> crossed.obj
+        same "$lift: $("$cli" convert --quiet --split crossed.obj | grep -c '^o ')" "$lift: 2" || return 1
+    done
+}
 part "no o line: one block, named as the file" one_block
 part "no o line, --split: its shells"       shells
 part "--split: shells that share faces, turned" turned_shells
+part "--split: a face they share, cut two ways" crossed_shells
 part "from a pipe: the block is 'block'"    sh -c "'$cli' convert - < 'a wall.obj' 2> err | grep -qx 'o block'"
 part "objects without faces: passed over"   remarks "2 objects without faces, the first 'Camera', were passed over" --fixed lowest curves.obj
 part "the same answer as without them"      same "$(forces --fixed lowest curves.obj)" "$(forces --fixed lowest arch.obj)"

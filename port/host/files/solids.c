@@ -8,7 +8,7 @@
 #include <string.h>
 
 #define WARPED 1e-2                     /* of a block's size: from there on faces become triangles; the library refuses more */
-#define SHARPEST 1e-3                   /* [rad] no stone has a sharper edge: faces that meet at less lie on each other */
+#define SHARPEST 1e-2                   /* [rad] no stone has a sharper edge: faces that meet at less lie on each other */
 
 static int32_t faces_end(const obj_file *f, int32_t b) { return b + 1 < f->blocks ? f->block[b + 1].face : f->faces; }
 
