@@ -243,5 +243,19 @@ part "bad: a transformation of 2 x 2"            sh -c "'$cli' check t.json 2>&1
 sed 's/"transformation": null/"transformation": {"matrix": [[1, 0, 0, 5], [0, 1, 0, 6], [0, 0, 1, 7], [0, 0, 0, 1]]}/' model.json |
     sed 's/"contacts"/"old"/g' > t.json
 part "elements moved by their transformation"    says STABLE t.json
+warped() {                                              # two cubes share a warped face, which their meshes begin at any corner
+    low='"vertex": {"0": {}, "1": {"x": 1}, "2": {"x": 1, "y": 1}, "3": {"y": 1}, "4": {"z": 1}, "5": {"x": 1, "z": 1},
+        "6": {"x": 1, "y": 1, "z": 1.3}, "7": {"y": 1, "z": 1}}'
+    high='"vertex": {"4": {"z": 1}, "5": {"x": 1, "z": 1}, "6": {"x": 1, "y": 1, "z": 1.3}, "7": {"y": 1, "z": 1}, "8": {"z": 2},
+        "9": {"x": 1, "z": 2}, "10": {"x": 1, "y": 1, "z": 2}, "11": {"y": 1, "z": 2}}'
+    for face in '5, 4, 7, 6' '4, 7, 6, 5' '7, 6, 5, 4' '6, 5, 4, 7'; do
+        printf '[{%s, "face": {%s, "5": [4, 5, 6, 7]}}, {%s, "face": {%s, "5": [%s]}}]\n' \
+            "$low" '"0": [3, 2, 1, 0], "1": [0, 1, 5, 4], "2": [1, 2, 6, 5], "3": [2, 3, 7, 6], "4": [3, 0, 4, 7]' \
+            "$high" '"0": [8, 9, 10, 11], "1": [4, 5, 9, 8], "2": [5, 6, 10, 9], "3": [6, 7, 11, 10], "4": [7, 4, 8, 11]' "$face" > t.json
+        "$cli" check --support b0 t.json > out
+        grep -q '^t.json: STABLE$' out && grep -q 'remark  *2 warped faces of 2 blocks' out || { echo "$face:"; cat out; return 1; }
+    done
+}
+part "a warped face two meshes share, cut alike" warped
 
 total

@@ -162,25 +162,6 @@ void compas_end(compas_solids *s, const double frame[12])
         }
 }
 
-int compas_is_warped(const compas_solid *s, int32_t i)
-{
-    double n[3], middle[3], low[3] = { 0, 0, 0 }, high[3] = { 0, 0, 0 }, most = 0;
-    face_plane(s, i, n, middle);
-    const double size = sqrt(dot(n, n));
-    for (int32_t v = 0; v < s->vertices; v++)
-        for (int k = 0; k < 3; k++) {
-            low[k] = v ? fmin(low[k], s->xyz[v][k]) : s->xyz[v][k];
-            high[k] = v ? fmax(high[k], s->xyz[v][k]) : s->xyz[v][k];
-        }
-    for (int32_t q = s->face[i]; q < s->face[i + 1] && size > 0; q++) {
-        double d[3];
-        subtract(s->xyz[s->corner[q]], middle, d);
-        most = fmax(most, fabs(dot(d, n)) / size);
-    }
-    subtract(high, low, low);
-    return most > 0.01 * sqrt(dot(low, low));
-}
-
 /* Along the unit normal n, the outward normal of the face that lies best in the polygon's plane: its sign is what counts. */
 static double facing(const compas_solid *s, const double n[3], const double middle[3])
 {

@@ -37,9 +37,6 @@ void compas_end(compas_solids *s, const double frame[12]);
 
 compas_solid compas_last(const compas_solids *s);
 
-/* Is a corner of face i more than a hundredth of the block's size off the face's mean plane? */
-int compas_is_warped(const compas_solid *s, int32_t i);
-
 /* Does the normal of a polygon, by the right hand, point from block b into a? By the faces in its plane: that holds for blocks
  * that are not convex, too. */
 int compas_is_turned(const compas_solids *s, int32_t a, int32_t b, double (*x)[3], int32_t n);
