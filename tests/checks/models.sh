@@ -344,6 +344,16 @@ crossed_shells() {                                      # a cube on a cube; of t
         same "$lift: $("$cli" convert --quiet --split crossed.obj | grep -c '^o ')" "$lift: 2" || return 1
     done
 }
+unlike_sizes() {                                        # the face between them is warped by 1.5 % of the one, 0.5 % of the other
+    for order in '6 5 8 7' '5 8 7 6' '8 7 6 5' '7 6 5 8'; do
+        printf 'v %s\n' '0 0 0' '1 0 0' '1 1 0' '0 1 0' '0 0 1' '1 0 1' '1 1 1.06' '0 1 1' '0 0 4' '1 0 4' '1 1 4' '0 1 4' > unlike.obj
+        printf '%s\n' 'o low' 'f 4 3 2 1' 'f 5 6 7 8' 'f 1 2 6 5' 'f 2 3 7 6' 'f 3 4 8 7' 'f 4 1 5 8' \
+            'o high' "f $order" 'f 9 10 11 12' 'f 5 6 10 9' 'f 6 7 11 10' 'f 7 8 12 11' 'f 8 5 9 12' >> unlike.obj
+        same "$(first check --fixed low unlike.obj)" "unlike.obj: STABLE" &&
+        remarks "2 warped faces of 2 blocks, the first 'low', were cut" --fixed low unlike.obj > out || { cat out; return 1; }
+    done
+}
+part "a warped face is cut as the one it meets" unlike_sizes
 part "no o line: one block, named as the file" one_block
 part "no o line, --split: its shells"       shells
 part "--split: shells that share faces, turned" turned_shells

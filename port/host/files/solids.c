@@ -26,6 +26,12 @@ static int out_of_memory(const obj_file *f, failure *error)
 
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+static int compare_place(const sp_real *x, const sp_real *y)
+{
+    for (int c = 0; c < 3; c++) if (x[c] < y[c] || x[c] > y[c]) return x[c] < y[c] ? -1 : 1;
+    return 0;
+}
+
 /* n += (q - o) x (r - o), of which the sum over a polygon is twice its area along its normal (Newell). */
 static void add_cross(double n[3], const sp_real *o, const sp_real *q, const sp_real *r)
 {
@@ -303,23 +309,86 @@ static void copy_face(const obj_file *f, int32_t i, int32_t from, obj_face *face
     }
 }
 
+/* The corners of a face from the first by its place, towards the lesser of its neighbours: alike for faces that meet. */
+typedef struct ring { const obj_file *f; int32_t face, from, back; } ring;
+
+static const sp_real *ring_at(const ring *r, int32_t k)
+{
+    return at(r->f, r->face, r->from + (r->back ? r->f->face[r->face].corners - k : k));
+}
+
+static ring make_ring(const obj_file *f, int32_t i)
+{
+    ring r = { f, i, 0, 0 };
+    const int32_t n = f->face[i].corners;
+    for (int32_t k = 1; k < n; k++) if (compare_place(at(f, i, k), at(f, i, r.from)) < 0) r.from = k;
+    r.back = compare_place(at(f, i, r.from + n - 1), at(f, i, r.from + 1)) < 0;
+    return r;
+}
+
+static int compare_corners(const ring *a, const ring *b)
+{
+    const int32_t n = a->f->face[a->face].corners, m = b->f->face[b->face].corners;
+    int c = (n > m) - (n < m);
+    for (int32_t k = 0; k < n && !c; k++) c = compare_place(ring_at(a, k), ring_at(b, k));
+    return c;
+}
+
+static int compare_rings(const void *pa, const void *pb)
+{
+    const ring *a = pa, *b = pb;
+    const int c = compare_corners(a, b);
+    return c ? c : (a->face > b->face) - (a->face < b->face);
+}
+
+/* A face that meets one that is cut is cut, too, however large its block is.      returns 0: no memory */
+static int cut_alike(const obj_file *f, int32_t *from)
+{
+    ring *list = malloc(((size_t)f->faces + 1) * sizeof *list);
+    if (!list) return 0;
+    for (int32_t i = 0; i < f->faces; i++) list[i] = make_ring(f, i);
+    qsort(list, (size_t)f->faces, sizeof *list, compare_rings);
+    for (int32_t i = 0, j; i < f->faces; i = j) {
+        int cut = 0;
+        for (j = i; j < f->faces && !compare_corners(&list[i], &list[j]); j++) cut |= from[list[j].face] >= 0;
+        for (int32_t k = i; k < j && cut; k++) from[list[k].face] = fan_corner(f, list[k].face);
+    }
+    free(list);
+    return 1;
+}
+
+/* Where each face is to be cut from.      returns how many are cut, -1: no memory */
+static int32_t choose_cuts(const obj_file *f, int32_t *from, int32_t *blocks, int32_t *name)
+{
+    int32_t cut = 0;
+    for (int32_t b = 0; b < f->blocks; b++) {
+        const double size = block_size(f, b);
+        for (int32_t i = f->block[b].face; i < faces_end(f, b); i++) cut += (from[i] = cut_from(f, i, size)) >= 0;
+    }
+    if (!cut) return 0;
+    if (!cut_alike(f, from)) return -1;
+    cut = 0;
+    for (int32_t b = 0; b < f->blocks; b++) {
+        const int pressed = is_pressed(f, b);
+        const int32_t before = cut;
+        for (int32_t i = f->block[b].face; i < faces_end(f, b); i++)
+            if (pressed) from[i] = -1; else cut += from[i] >= 0;
+        if (cut > before && !(*blocks)++) *name = b;
+    }
+    return cut;
+}
+
 static int cut_warped(obj_file *f, remarks *told, failure *error)
 {
-    int32_t *from = malloc(((size_t)f->faces + 1) * sizeof *from), cut = 0, blocks = 0, faces = 0, corners = 0, name = -1;
+    int32_t *from = malloc(((size_t)f->faces + 1) * sizeof *from), blocks = 0, faces = 0, corners = 0, name = -1;
+    const int32_t cut = from ? choose_cuts(f, from, &blocks, &name) : -1;
     const size_t most = (size_t)f->corners * 3 + 1;     /* of faces and corners after */
     obj_face *face = NULL;
     int32_t *corner = NULL;
 
-    if (!from) return out_of_memory(f, error);
-    for (int32_t b = 0; b < f->blocks; b++) {
-        const double size = block_size(f, b);
-        const int32_t before = cut;
-        for (int32_t i = f->block[b].face; i < faces_end(f, b); i++) cut += (from[i] = cut_from(f, i, size)) >= 0;
-        if (cut > before && is_pressed(f, b)) {
-            for (int32_t i = f->block[b].face; i < faces_end(f, b); i++) from[i] = -1;
-            cut = before;
-        }
-        if (cut > before && !blocks++) name = b;
+    if (cut < 0) {
+        free(from);
+        return out_of_memory(f, error);
     }
     if (cut && (most > INT32_MAX || !(face = malloc(most * sizeof *face)) || !(corner = malloc(most * sizeof *corner)))) {
         free(from);
@@ -370,12 +439,6 @@ static int32_t find_root(int32_t *root, int32_t v)
 }
 
 static void join(shells *s, int32_t i, int32_t j) { s->root[find_root(s->root, i)] = find_root(s->root, j); }
-
-static int compare_place(const sp_real *x, const sp_real *y)
-{
-    for (int c = 0; c < 3; c++) if (x[c] < y[c] || x[c] > y[c]) return x[c] < y[c] ? -1 : 1;
-    return 0;
-}
 
 static int compare_sides(const void *pa, const void *pb)
 {
