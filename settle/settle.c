@@ -255,6 +255,13 @@ static double angle_of(const double R[9])
     return atan2(0.5 * sqrt(x * x + y * y + z * z), 0.5 * (R[0] + R[4] + R[8] - 1)) * 180 / pi;
 }
 
+/* Against gravity; along z where there is none. */
+static double height(const double g[3], const double t[3])
+{
+    const double full = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    return full > 0 ? -(g[0] / full * t[0] + g[1] / full * t[1] + g[2] / full * t[2]) : t[2];
+}
+
 static void read_poses(simulation *sim)
 {
     static const double one[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
@@ -270,7 +277,7 @@ static void read_poses(simulation *sim)
         for (int c = 0; c < 3; c++) moved += (p->t[c] - p->c[c]) * (p->t[c] - p->c[c]);
         p->moved = sqrt(moved);
         p->turned = fixed ? 0 : angle_of(p->R);
-        p->settled = fixed || p->t[2] > sim->set->lowest;
+        p->settled = fixed || height(sim->set->gravity, p->t) > sim->set->lowest;
     }
 }
 

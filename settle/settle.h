@@ -100,7 +100,7 @@ typedef struct settle_settings {
     double floor[3];            /* middle of its floor [m]                                                       0 0 0 */
     double wall;                /* half the thickness of its floor and walls [m]                                  0.05 */
     double lift;                /* free stones start higher by this, against gravity [m]                          0.06 */
-    double lowest;              /* a stone has settled when its centroid is above this [m]                        -0.3 */
+    double lowest;              /* a stone has settled when its centroid is higher than this, against gravity [m] -0.3 */
     double energy;              /* kinetic energy per mass below which a wait ends, after `quiet` such steps; 0: never
                                                                                                          [J/kg]      0 */
     int32_t quiet;              /*                                                                                 100 */

@@ -25,6 +25,12 @@ stopped() {                                             # Ctrl-C: stones as they
     timeout --preserve-status -s INT 2 "$cli" settle "$tmp/many.obj" -o "$tmp/then.obj" --set rest_steps=90000,energy=1e-12 > "$tmp/told" 2> "$tmp/err"
     [ $? -eq 130 ] && grep -q 'stopped by Ctrl-C; stones as they were then' "$tmp/err" && [ "$(grep -c '^o ' "$tmp/then.obj")" -eq 301 ]
 }
+falls_out() {                                           # whichever way is down
+    "$cli" gen two-cubes offset=0.7 | grep -v interface > "$tmp/z.obj"
+    awk '/^v / { print "v", $2, $4, -$3; next } { print }' "$tmp/z.obj" > "$tmp/y.obj"
+    exits 1 "$cli" settle "$tmp/z.obj" -o "$tmp/out.obj" && exits 1 "$cli" settle --up y "$tmp/y.obj" -o "$tmp/out.obj" &&
+    exits 1 "$cli" settle --up -z --set steps=900,tamps=0 "$tmp/two.obj" -o "$tmp/out.obj"
+}
 units() {                                               # --confirm does not ask in which unit a scene is
     for un in 1 0.001 1000; do
         awk -v u=$un '$1 == "v" { print "v", $2 * u, $3 * u, $4 * u; next } { print }' "$tmp/two.obj" > "$tmp/u.obj"
@@ -74,6 +80,7 @@ part "what settled is a scene that check finds stable" exits 0 "$cli" check "$tm
 part "contacts by faces: --near" near
 part "a container is written and holds" box
 part "--confirm in mm, m and km" units
+part "a stone falls out, also with y up"    falls_out
 part "Ctrl-C keeps the stones as they are then" stopped
 part "--confirm: both stand" exits 0 "$cli" settle --confirm "$tmp/two.obj"
 "$cli" gen two-cubes offset=0.6 > "$tmp/fall.obj"
