@@ -211,6 +211,9 @@ def meshes():
     sound("door.off", off(apart), "STABLE", *feet, joints=2)
     sound("door.gltf", gltf(PARTS), "STABLE", "--fixed", "part0*,part1*", joints=2, remark="y up, in metres")
     sound("nodes.gltf", gltf(PARTS), "STABLE", "--fixed", "part0,part1", joints=2)     # without the number behind them
+    for word in "ground", "lowest":                                                    # words, unless a node is called so
+        sound(word + ".gltf", gltf(PARTS).replace("part0", word), "STABLE", "--fixed", word + ",part1", joints=2,
+              remark="'%s' is a block of this model" % word)
     broken("number.gltf", gltf(PARTS), "no block has such a name", "--fixed", "part", status=64)
     for told in "up", "gravity":
         status, out, err = run("check", "--" + told, "z" if told == "up" else "0,0,-9.8", "--fixed", "part0", "nodes.gltf")

@@ -213,6 +213,16 @@ static int is_meant(const obj_file *f, int32_t b, text_word w)
     return f->numbered && text_matches(without_number(name), w);
 }
 
+/* Is a block of the model's own form called so, before it got the name it has? */
+static int is_node(const obj_file *f, text_word w)
+{
+    for (int32_t b = 0; b < f->blocks; b++) {
+        const text_word name = f->block[b].name, key = { name.s + 1, name.n - 1 };
+        if ((f->nodes && text_same(key, w)) || (f->numbered && text_same(without_number(name), w))) return 1;
+    }
+    return 0;
+}
+
 /* Blocks were meant that lie lowest, or a slab, and one of this name is there. */
 static void tell_own(text_word w, remarks *told)
 {
@@ -225,7 +235,8 @@ static void tell_own(text_word w, remarks *told)
 /* One entry of a list. A block that has this very name comes first, whatever the name. */
 static int fix_word(obj_file *f, text_word w, teller told, int given, failure *error)
 {
-    const int own = is_named(f, w), ground = !own && text_is(w, "ground"), lowest = !own && text_is(w, "lowest");
+    const int own = is_named(f, w), called = own || is_node(f, w);
+    const int ground = !called && text_is(w, "ground"), lowest = !called && text_is(w, "lowest");
     int32_t found = 0;
     frame t;
     if ((ground || lowest) && !find_frame(f, &t)) return refuse_level(f, w, told, "without gravity nothing is low", error);
@@ -235,7 +246,7 @@ static int fix_word(obj_file *f, text_word w, teller told, int given, failure *e
         fix_lowest(f, &t);
         return 0;
     }
-    if (own) tell_own(w, told.told);
+    if (called) tell_own(w, told.told);
     for (int32_t b = 0; b < f->blocks; b++)
         if (own ? text_same(f->block[b].name, w) : is_meant(f, b, w)) {
             f->block[b].fixed = SP_FIXED;
