@@ -491,6 +491,14 @@ part "y up, mm: the same forces"            same "$(forces --fixed lowest --up y
 part "gravity told instead"                 same "$(forces --fixed lowest --gravity 0,-9.80665,0 --unit mm arch-y.obj)" "$(forces whole.obj)"
 part "a ground of y up, in mm"              same "$(first check --fixed ground --up y --unit mm wall-y.obj)" "wall-y.obj: STABLE"
 part "upside down"                          same "$(first check --fixed lowest --up -y --unit mm arch-y.obj)" "arch-y.obj: UNSTABLE"
+asked_twice() {                                         # by a file and an option: one slab, and nothing is told of a block called so
+    echo '#@ supports ground' > wall.obj.stonepack
+    "$cli" check --fixed ground --fixed ground wall.obj > out
+    rm wall.obj.stonepack
+    grep -q 'is a block of this model' out && { cat out; return 1; }
+    same "$(forces --fixed ground wall.obj)" "$(sed -n 's/^  forces *largest compression \(.*\) of a joint.*/\1/p' out)"
+}
+part "a ground that is asked for twice"     asked_twice
 part "up and gravity: 64"                   refuses 64 'exclude each other' check --up y --gravity 0,0,-1 arch.obj
 part "up: a wrong word: 64"                 refuses 64 'needs x, y, z' check --up up arch.obj
 part "unit: a wrong word: 64"               refuses 64 'needs mm, cm, m or in' check --unit km arch.obj

@@ -125,6 +125,8 @@ static int make_room(obj_file *f)
     return block && face && corner && vertex;
 }
 
+static const char slab_name[] = "ground";
+
 /* A level slab under the lowest point, a little wider than the model, which the picture is of. a, b, down are a
  * right-handed triple, so its faces look outwards. */
 static int add_ground(obj_file *f, const frame *t, int32_t line, failure *error)
@@ -134,7 +136,7 @@ static int add_ground(obj_file *f, const frame *t, int32_t line, failure *error)
     const reach a = reach_of_all(f, t->a), b = reach_of_all(f, t->b);
     const double top = reach_of_all(f, t->down).high, wide = fmax(a.high - a.low, b.high - b.low);
     const double more = GROUND_BEYOND * wide;
-    const obj_block slab = { { "ground", 6 }, line, f->faces, 0, SP_FIXED, 0 };
+    const obj_block slab = { { slab_name, 6 }, line, f->faces, 0, SP_FIXED, 0 };
 
     if (!make_room(f)) return out_of_memory(f, error);
     f->block[f->blocks++] = slab;
@@ -224,9 +226,10 @@ static int is_node(const obj_file *f, text_word w)
 }
 
 /* Blocks were meant that lie lowest, or a slab, and one of this name is there. */
-static void tell_own(text_word w, remarks *told)
+static void tell_own(const obj_file *f, text_word w, remarks *told)
 {
-    if (text_is(w, "ground"))
+    const int laid = f->block[f->blocks - 1].name.s == slab_name;       /* asked for once more */
+    if (text_is(w, "ground") && !laid)
         remarks_add(told, NULL, "'ground' is a block of this model: it is the support, and no slab is laid under the model");
     if (text_is(w, "lowest"))
         remarks_add(told, NULL, "'lowest' is a block of this model: it is the support, not the blocks that lie lowest");
@@ -246,7 +249,7 @@ static int fix_word(obj_file *f, text_word w, teller told, int given, failure *e
         fix_lowest(f, &t);
         return 0;
     }
-    if (called) tell_own(w, told.told);
+    if (called) tell_own(f, w, told.told);
     for (int32_t b = 0; b < f->blocks; b++)
         if (own ? text_same(f->block[b].name, w) : is_meant(f, b, w)) {
             f->block[b].fixed = SP_FIXED;
