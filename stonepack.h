@@ -1653,7 +1653,7 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_EXACT_ONLY   defined: of SP_SMALL the check alone, without sp_sequence; with it go SP_NO_QP, SP_NO_IPM, SP_NO_PLAN
  */
 
-/* Switches: what is lost, and the code saved of 236371 bytes on a Cortex-M7, of 228745 on an M4F in float.
+/* Switches: what is lost, and the code saved of 236363 bytes on a Cortex-M7, of 228733 on an M4F in float.
  *
  *   SP_NO_IPM         interior points, sp_limit and its calls, sp_joint_moves                         45588   43694
  *   SP_NO_PLAN        sp_plan; planar and level scenes in 3 rows a block, SP_EFFECT_DEPTH left out    11812   11828
@@ -1666,7 +1666,7 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_QP_NO_CG       SP_QP_CG, the back end without a matrix                                          1536    1492
  *   SP_QP_NO_POLISH   sp_qp_settings.polish: the last digits, sharper certificates                     3788    3592
  *   SP_QP_NO_INTERIOR interior points for quadratic programs: SP_QP_INTERIOR, sp_qp_interior           4096    4014
- *   SP_QP_ONLY        all that knows of stones                                                       210413  203445
+ *   SP_QP_ONLY        all that knows of stones                                                       210405  203433
  *   SP_SMALL          all but the smallest form; with SP_NO_CRA; no CG, polish, interior points      187301  181187
  *   SP_EXACT_ONLY     as SP_SMALL, and sp_sequence; with SP_NO_QP, SP_NO_IPM, SP_NO_PLAN             203899  197319
  *

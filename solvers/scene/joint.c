@@ -203,19 +203,21 @@ static int sp__face_area(const sp_scene *scene, const sp_face *face, sp_real are
 {
     const int32_t *corner = scene->corner + face->corner;
     const sp_real *o = scene->vertex[corner[0]];
-    sp_real sum = 0, n[3] = { 0, 0, 0 };
+    sp_real sum = 0, unit = 1;                          /* |area|: products of four lengths underflow */
     for (int q = 0; q < 3; q++) area[q] = centroid[q] = 0;
     for (int pass = 0; pass < 2; pass++) {
-        if (pass) sp__unit3(area, n);
+        if (pass) unit = sp__norm3(area);
         for (int32_t k = 1; k + 1 < face->corners; k++) {
             sp_real b[3], c[3], t[3];
             sp__sub3(scene->vertex[corner[k]], o, b);
             sp__sub3(scene->vertex[corner[k + 1]], o, c);
             sp__cross3(b, c, t);
-            const sp_real weight = sp__dot3(t, n);
             sp__add3(b, 1, c);
-            if (pass) { sp__add3(centroid, weight, b); sum += weight; }
-            else sp__add3(area, (sp_real)0.5, t);
+            if (!pass) { sp__add3(area, (sp_real)0.5, t); continue; }
+            sp__scale3(1 / unit, t, t);
+            const sp_real weight = sp__dot3(t, area);
+            sp__add3(centroid, weight, b);
+            sum += weight;
         }
     }
     for (int q = 0; q < 3; q++) centroid[q] = o[q] + centroid[q] / ((sp_real)3 * sum);
