@@ -511,7 +511,8 @@ struct sp_result {
     sp_real *f;                 /* 3 x scene.count.points: fn, ft1, ft2 of each contact vertex, exactly in the cone     [N] */
     sp_real *dq;                /* 6 x scene.count.blocks: displacement of the centroid, rotation; of an UNSTABLE the mechanism,
                                    of an UNDECIDED the nearest to one found, of a STABLE zero; scaled so that the largest
-                                   displacement is the largest distance of a joint from its block's centroid          [m, 1] */
+                                   displacement is the largest distance of a joint from its block's centroid; where
+                                   nothing touches anything half the size of the largest block                        [m, 1] */
     sp_demand *demand;          /* scene.count.joints; zero where not asked for */
     sp_extremes extremes;
     sp_real tol, force_bound;   /* in force */

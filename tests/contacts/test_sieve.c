@@ -16,6 +16,8 @@ enum { STONES = 150 };
 static sp_scene scene;
 static sp__touch touch;
 
+#include "boxes.h"
+
 /* Boxes of sides up to `wide`, turned any way, in a cloud `size` across; about every tenth is a body without faces. */
 static void cloud(int32_t stones, double size, double wide)
 {
@@ -50,42 +52,6 @@ static void cloud(int32_t stones, double size, double wide)
     sp__touch_blocks(&touch, &test_arena);
     sp__tree_build(&touch);
     CHECK_INT(touch.status, SP_OK);
-}
-
-/* The box of a block along `axis`, and how far it may reach. */
-static void box_of(int32_t i, sp_real (*axis)[3], double box[6])
-{
-    const sp__body *o = &touch.all.body[i];
-    const sp_block *b = &scene.block[i];
-    for (int c = 0; c < 3; c++) {
-        box[c] = 1e30;
-        box[3 + c] = -1e30;
-        for (int32_t v = b->vertex; v < b->vertex + b->vertices; v++) {
-            const double x = (double)sp__dot3(axis[c], scene.vertex[v]);
-            if (x < box[c]) box[c] = x;
-            if (x > box[3 + c]) box[3 + c] = x;
-        }
-        const double more = (double)(4 * o->reach + 2 * o->warp);
-        box[c] -= more;
-        box[3 + c] += more;
-    }
-}
-
-/* sum of the boxes' volumes over that of the box of all of them. */
-static double share_of(sp_real (*axis)[3])
-{
-    double all[6] = { 1e30, 1e30, 1e30, -1e30, -1e30, -1e30 }, sum = 0;
-    for (int32_t i = 0; i < scene.count.blocks; i++) {
-        double box[6];
-        if (!scene.block[i].faces) continue;
-        box_of(i, axis, box);
-        sum += (box[3] - box[0]) * (box[4] - box[1]) * (box[5] - box[2]);
-        for (int c = 0; c < 3; c++) {
-            if (box[c] < all[c]) all[c] = box[c];
-            if (box[3 + c] > all[3 + c]) all[3 + c] = box[3 + c];
-        }
-    }
-    return sum / ((all[3] - all[0]) * (all[4] - all[1]) * (all[5] - all[2]));
 }
 
 static int near_each_other(const double p[6], const double q[6])
