@@ -14,6 +14,13 @@ static sp_real sp__lesser_weight(const sp_scene *scene, const sp_joint *t)
     return mass * sp__norm3(scene->gravity);
 }
 
+/* Share of friction used, |ft| / (mu fn + C); 0 where both are what rounding leaves, at the tip of a cone moved down. */
+static sp_real sp__friction_used(sp_real slip, sp_real press, sp_real C)
+{
+    const sp_real held = sp__max(0, press + C), tiny = 64 * (sp_real)SP_EPSILON * (sp__abs(press) + C);
+    return held > tiny || slip > tiny ? sp__ratio(slip, held) : 0;
+}
+
 /* Largest |ft| / (mu fn + C) of a joint's corners with |fn| + |ft| above `least`: at 1 one of them slides, by this force
  * state.                                                                                                      [seed 1.6] */
 static sp_real sp__corner_utilisation(const sp_joint *t, const sp_real *f, sp_real least)
@@ -22,7 +29,7 @@ static sp_real sp__corner_utilisation(const sp_joint *t, const sp_real *f, sp_re
     sp_real most = 0;
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real fn = f[3 * (size_t)v], x = f[3 * (size_t)v + 1], y = f[3 * (size_t)v + 2], slip = SP_SQRT(x * x + y * y);
-        if (sp__abs(fn) + slip > least) most = sp__max(most, sp__ratio(slip, sp__max(0, t->strength.mu * fn + C)));
+        if (sp__abs(fn) + slip > least) most = sp__max(most, sp__friction_used(slip, t->strength.mu * fn, C));
     }
     return most;
 }
@@ -53,9 +60,9 @@ SP_API sp_status sp_joint_resultant(const sp_scene *scene, const sp_result *resu
     sp__add3(o.point, 1, scene->point[t->point]);
     sp__joint_force(t, sum, o.force);
     const sp_real slip = SP_SQRT(sum[1] * sum[1] + sum[2] * sum[2]);
-    const sp_real held = sp__max(0, t->strength.mu * sum[0] + t->strength.cohesion * t->area);
     const sp_real least = (sp_real)1e-4 * sp__lesser_weight(scene, t);
-    o.utilisation = size + slip > least ? sp__ratio(slip, held) : 0;
+    o.utilisation = size + slip > least
+        ? sp__friction_used(slip, t->strength.mu * sum[0], t->strength.cohesion * t->area) : 0;
     if (SP__WITH_LARGE) o.corner_utilisation = sp__corner_utilisation(t, result->f, sp__max(least, (sp_real)1e-4 * o.max_fn));
     *out = o;
     return SP_OK;

@@ -409,6 +409,31 @@ TEST(a_corner_has_its_share_of_the_cohesion)
     CHECK_NEAR(f.corner_utilisation, 0.5 / 4, TOL(1e-6, 1e-2));
 }
 
+/* At the tip of a cone moved down, fn = -C / mu, nothing is left to use: what rounding leaves there is no share.    [seed 1.6] */
+TEST(rounding_at_the_tip_of_a_glued_cone_was_told_as_use)
+{
+    const double a = 0.5, mu = 0.8, C = 16000 * a * a / 4;
+    const sp_strength glue = { R(mu), R(16000), R(1e6), 0 };
+    sp_scene s;
+    sp_joint_force f;
+    box_on_ground(a, 0.5, mu, &s);
+    s.joint[0].strength = glue;
+    sp_result r = check(&s, NULL, SP_STABLE);
+    for (int k = 0; k < 3; k++) {
+        for (int v = 0; v < 4; v++) {
+            r.f[3 * v] = R(-C / mu * (1 - (k == 1) * (double)SP_EPSILON));
+            r.f[3 * v + 1] = R(k * C * (double)SP_EPSILON);
+            r.f[3 * v + 2] = 0;
+        }
+        CHECK_INT(sp_joint_resultant(&s, &r, 0, &f), SP_OK);
+        CHECK_NEAR(f.corner_utilisation, 0, 0);
+        CHECK_NEAR(f.utilisation, 0, 0);
+    }
+    r.f[1] = R(C / 10);                                 /* this is more than rounding */
+    CHECK_INT(sp_joint_resultant(&s, &r, 0, &f), SP_OK);
+    CHECK((double)f.corner_utilisation > 1e3);
+}
+
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
 /* Of two stones one is twisted, the other pushed: by its resultant the second joint is weaker, by its corners the first. */
 TEST(the_weakest_joint_of_the_preset_is_that_of_its_corners)
@@ -799,6 +824,7 @@ TEST_LIST(result)
     RUN(on_a_slope_the_upper_corners_use_more_friction_than_the_joint)
     RUN(a_twisted_joint_uses_friction_at_its_corners_alone)
     RUN(a_corner_has_its_share_of_the_cohesion)
+    RUN(rounding_at_the_tip_of_a_glued_cone_was_told_as_use)
 #if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
     RUN(the_weakest_joint_of_the_preset_is_that_of_its_corners)
 #endif
