@@ -15,7 +15,7 @@ static int sp__bracket_resists(sp__bracket *b, sp_real lambda) { (void)b; (void)
 SP__NOINLINE static int sp__bracket_falls(sp__bracket *b, sp_real lambda, int beyond, sp_real *all)
 {
     if (!sp__bracket_certify_begin(b, 1, lambda)) return 0;
-    b->least = sp__certify_mechanism(&b->certifier, b->dq, &b->final);
+    b->least = sp__certify_mechanism(&b->certifier, b->dq, 0, &b->final);
     if (!(b->least > b->set.tol)) return 0;
     if (all) sp__motion_write(&b->certifier, all);
     memcpy(b->dq, b->certifier.dual.motion, 6 * (size_t)b->pb.blocks * sizeof *b->dq);

@@ -211,8 +211,9 @@ SP__NOINLINE static int32_t sp__certify_rank(const sp__certifier *j, sp_real val
 }
 
 /* The best proof a motion gives, a final one before others, with smaller motions held. It is left in j->dual.motion.
+ *   together: of several islands, each held so by itself: none is dropped unless what is left proves more than all
  *   *final: no contact resists, and it proves UNSTABLE, be its value within tol or not */
-static sp_real sp__certify_mechanism(sp__certifier *j, const sp_real *dq, int32_t *final)
+static sp_real sp__certify_mechanism(sp__certifier *j, const sp_real *dq, int together, int32_t *final)
 {
     sp_real best = -1, value = -1;
     int32_t rank = -1, last = 0, before = -2, held = 0;
@@ -222,7 +223,7 @@ static sp_real sp__certify_mechanism(sp__certifier *j, const sp_real *dq, int32_
         before = still;
         value = sp__certify_motion(j, dq, sp__certify_rest[k], final);
         const int32_t now = sp__certify_rank(j, value, *final);
-        last = now > rank || (now == rank && value > best);
+        last = now > rank || (now == rank && value > best && !together);
         if (last) { best = value; held = k; rank = now; }
     }
     if (!last) value = sp__certify_motion(j, dq, sp__certify_rest[held], final);

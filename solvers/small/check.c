@@ -208,7 +208,7 @@ SP__NOINLINE static void sp__small_try_proof(sp__small *w, const sp_real *y)
     if (r->verdict) return;
     sp__small_motion(w, y);
     if (!(sp__certify_motion(&w->j, w->x, 0, &r->final) > w->set->tol)) return;
-    r->least_imbalance = sp__certify_mechanism(&w->j, w->x, &r->final);
+    r->least_imbalance = sp__certify_mechanism(&w->j, w->x, 0, &r->final);
     r->verdict = SP_UNSTABLE;
 }
 
@@ -386,7 +386,7 @@ SP__NOINLINE static void sp__small_sharpen(sp__small *w)
         sp__small_purify(w, w->d);
         if (r->verdict) continue;
         r->verdict = SP_UNSTABLE;
-        r->least_imbalance = sp__certify_mechanism(&w->j, w->base, &r->final);
+        r->least_imbalance = sp__certify_mechanism(&w->j, w->base, 0, &r->final);
         return;
     }
 }
@@ -416,7 +416,7 @@ SP__NOINLINE static int sp__small_run(sp__small *w, sp_arena *a)
     if (r->verdict != SP_STABLE) {
         sp__small_sweep(w, w->best, SP__GRADIENT);
         sp__small_measure(w);
-        if (!r->verdict) r->least_imbalance = sp__certify_mechanism(&w->j, w->x, &r->final);
+        if (!r->verdict) r->least_imbalance = sp__certify_mechanism(&w->j, w->x, 0, &r->final);
         sp__motion_write(&w->j, r->dq);
     }
     r->spent.total.flops = w->flops * r->spent.total.factorisations

@@ -66,6 +66,36 @@ TEST(the_motion_of_a_stone_that_touches_nothing_has_no_unit)
     }
 }
 
+/* Two stones tip off ledges of their own, the second `share` as large: both move, as each does alone. */
+TEST(the_motion_of_a_smaller_island_beside_a_larger_one_was_dropped)
+{
+    static const double share[] = { 1, 0.7, 0.5, 0.3, 0.1, 0.01 }, over[] = { 0.55, 0.6, 0.7, 0.9 };
+    for (int k = 0; k < 24; k++) {
+        const sp_capacity cap = { 3, 0, 0, 0, 2, 8, 0 };
+        const sp_strength strength = sp_strength_friction(R(0.7));
+        const double r = share[k / 4];
+        const sp_real ground[3] = { 0, 0, -9 }, a[3] = { R(0.9), 0, R(0.5) }, b[3] = { R(20 + over[k % 4] * r), 0, R(r / 2) };
+        sp_scene s;
+        test_arena.used = 0;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        CHECK_INT(sp_scene_body(&s, 0, ground, SP_FIXED, NULL), SP_OK);
+        CHECK_INT(sp_scene_body(&s, 1000, a, 0, NULL), SP_OK);
+        CHECK_INT(sp_scene_body(&s, R(1000 * r * r * r), b, 0, NULL), SP_OK);
+        for (int j = 0; j < 2; j++) {
+            const sp_real h = R(j ? r / 2 : 0.5), x = R(j ? 20 : 0);
+            const sp_real foot[12] = { x - h, -h, 0, x + h, -h, 0, x + h, h, 0, x - h, h, 0 };
+            CHECK_INT(sp_scene_joint(&s, 0, 1 + j, 4, foot, &strength, NULL), SP_OK);
+        }
+        const sp_result found = check(&s, NULL, &test_arena);
+        CHECK_INT(found.verdict, SP_UNSTABLE);
+        CHECK_INT(found.islands.count, 2);
+        for (int i = 0; i < 2; i++) {
+            CHECK_INT(found.islands.each[i].verdict, SP_UNSTABLE);
+            CHECK(fabs((double)found.dq[6 * (1 + i) + 4]) > 1e-6);
+        }
+    }
+}
+
 TEST(each_island_keeps_its_own_verdict_and_the_worst_is_that_of_all)
 {
     static const struct { double left, right; sp_verdict verdict[3]; } want[] = {
@@ -552,6 +582,7 @@ TEST(supports_join_nothing_and_contacts_between_them_take_no_part)
 TEST_LIST(islands)
     RUN(of_two_islands_the_one_that_falls_is_named_and_moves_alone)
     RUN(the_motion_of_a_stone_that_touches_nothing_has_no_unit)
+    RUN(the_motion_of_a_smaller_island_beside_a_larger_one_was_dropped)
     RUN(each_island_keeps_its_own_verdict_and_the_worst_is_that_of_all)
     RUN(what_falls_is_worse_than_what_is_open_and_that_worse_than_what_stands)
     RUN(islands_solved_apart_and_together_agree_and_their_memory_is_exact)

@@ -102,7 +102,7 @@ static void forces(int32_t faces)
     sp_arena a = memory_of(0);
     opened(faces, &a);
     sp__certify_forces(&judge, f, spare);
-    sp__certify_mechanism(&judge, dq, &final);
+    sp__certify_mechanism(&judge, dq, 0, &final);
     sp__motion_write(&judge, dq);
     sp__certify_pressure(&judge, f, spare);
 }

@@ -300,7 +300,7 @@ TEST(of_motions_with_smaller_ones_held_the_best_is_taken)
             CHECK_INT(final, !presses);
             CHECK(gains ? both > alone : both < alone || presses);
             o.j.sweeps = 0;
-            const double value = (double)sp__certify_mechanism(&o.j, dq, &final);
+            const double value = (double)sp__certify_mechanism(&o.j, dq, 0, &final);
             CHECK_INT(final, 1);
             CHECK_NEAR(value, gains || presses ? both : alone, TOL(1e-14, 1e-6));
             CHECK((o.j.dual.motion[7] > 0) == (gains || presses));
@@ -325,7 +325,7 @@ TEST(a_proof_holds_no_block_but_for_a_better_one)
         dq[7] = R(small);
         o.pb.p[7] = o.j.unit * R(counts ? 10 / small : 0);
         const double alone = (double)sp__certify_motion(&o.j, dq, R(0.1), &final);
-        CHECK_WITHIN((double)sp__certify_mechanism(&o.j, dq, &final), alone * (counts ? 11 : 1), TOL(1e-11, 1e-4) * alone);
+        CHECK_WITHIN((double)sp__certify_mechanism(&o.j, dq, 0, &final), alone * (counts ? 11 : 1), TOL(1e-11, 1e-4) * alone);
         CHECK_NEAR(o.j.dual.motion[7], small, TOL(1e-15, 1e-6));
         CHECK_INT(final, 1);
         test_arena = mark;
@@ -344,7 +344,7 @@ TEST(a_resisted_motion_among_blocks_at_rest_is_no_proof)
     dq[0] = -1;
     o.pb.p[0] = -o.j.unit;
     o.j.sweeps = 0;
-    CHECK_NEAR(sp__certify_mechanism(&o.j, dq, &final), 0, 0);
+    CHECK_NEAR(sp__certify_mechanism(&o.j, dq, 0, &final), 0, 0);
     CHECK_INT(final, 0);
     CHECK_INT(o.j.sweeps, 1);
 }
