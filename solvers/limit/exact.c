@@ -124,6 +124,7 @@ SP__NOINLINE static sp_verdict sp__engine_ask(sp__engine *g, sp__bracket *b, sp_
     g->n.left -= g->state.cost.factorisations;
     sp__cost_add(&b->cost, &g->state.cost);
     if (status) claim = SP_UNDECIDED;
+    if (!claim && b->set.budget > 0 && g->state.reason == SP_REASON_BUDGET) b->spent = 1;
     if (claim == SP_UNSTABLE) memcpy(b->dq, g->state.dq, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
     if (claim == SP_STABLE && !sp__bracket_stands(b, d, l, f, f)) return SP_UNDECIDED;
     return claim;

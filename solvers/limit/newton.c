@@ -84,7 +84,8 @@ SP__NOINLINE static int sp__limit_never_stands(sp__limit *L)
     const size_t n = 6 * (size_t)b->pb.blocks;
     const sp_real p = sp__dot(b->live, L->lower, n), q = sp__dot(b->live, L->upper, n);
     if (!(L->least >= L->best && p < 0 && q > 0)) return 0;
-    for (size_t k = 0; k < n; k++) b->dq[k] = L->lower[k] / -p + L->upper[k] / q;
+    const sp_real more = 1 + (L->least - L->best) / (2 + 2 * sp__abs(L->best));     /* live loads do work in it, if little */
+    for (size_t k = 0; k < n; k++) b->dq[k] = L->lower[k] / -p + more * L->upper[k] / q;
     L->none = sp__bracket_falls(b, 0, 1, NULL);
     if (!L->none) memcpy(b->dq, L->upper, n * sizeof *b->dq);
     return L->none;

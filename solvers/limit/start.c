@@ -112,9 +112,19 @@ SP__NOINLINE static sp_status sp__limit_start(sp__limit *L, sp_arena *a, int *do
     if (L->engine.most > SP__STRONG_ASK) L->engine.most = SP__STRONG_ASK;
     if (!climbs) return SP_OK;
     a->used = L->engine.rest.used;
+    const sp_real best = L->best, slack = L->slack;
+    memcpy(L->upper, b->dq, 6 * (size_t)b->pb.blocks * sizeof *L->upper);
     const sp_status status = sp__limit_open(L, a);
-    if (!status) *done = sp__strong_run(L);
-    return status;
+    if (status) return status;
+    *done = sp__strong_run(L);
+    L->bracket.spent |= L->engine.w->budget.spent;
+    if (!L->none) return SP_OK;
+    *done = L->none = sp__bracket_falls(&L->bracket, 0, 1, NULL);   /* said of a motion of the climb */
+    if (L->none) return SP_OK;
+    L->best = best;                                     /* not for certain: back to that of live loads alone */
+    L->slack = slack;
+    memcpy(L->bracket.dq, L->upper, 6 * (size_t)b->pb.blocks * sizeof *L->upper);
+    return SP_OK;
 }
 
 static size_t sp__limit_start_scratch(const sp_problem *pb) { return sp__system_scratch(pb); }
@@ -127,7 +137,8 @@ static int sp__limit_start_need(sp__limit *L, sp_arena scratch, sp_arena *dry)
     sp__limit_reduction(L, &scratch);
     sp__reduction *reduction = L->engine.reduction;
     if (SP__WITH_REDUCTION && !reduction) reduction = sp__take(&scratch, 1, sizeof *reduction);  /* other loads may have one */
-    const size_t search = pb->blocks ? sp__system_bytes(pb, &L->bracket.set, SP__LIMIT, reduction, scratch) : 0;
+    const size_t search = pb->blocks ? sp__system_bytes(pb, &L->bracket.set, SP__LIMIT, reduction, scratch)
+                        : sizeof(int32_t);              /* of the gates */
     if (search == SIZE_MAX) return 0;
     sp__take(dry, 1, search);
     return 1;
