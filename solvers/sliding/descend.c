@@ -322,13 +322,13 @@ static void sp__descend_take(const sp__descend *s, int rubs, sp_real *fn, sp_rea
 /* Largest lambda >= 0 that forces carry, at most `most`, pressure alone or with friction: forces into f, those at lambda = 0
  * into rest, fn and then ft of all corners.     returns -1: not even 0 */
 SP__NOINLINE static sp_real sp__descend_most(sp__descend *s, int rubs, sp_real most, sp_real *const f[2],
-                                             sp_real *const rest[2])
+                                             sp_real *const rest[2], int64_t flops)
 {
     const sp__slab *w = s->w;
     sp__simplex *x = &s->force;
     const int32_t last = 2 * w->corners;
-    s->limit = INT64_MAX / 2;
-    x->limit = s->limit;
+    s->limit = sp__descend_flops(s) + flops;
+    x->limit = x->flops + flops;
     for (int32_t v = 0; v < w->corners; v++) {
         const sp_real b = rubs ? w->corner[v].mu : 0;
         sp__descend_column(x, 2 * v, &w->corner[v], 1, b);

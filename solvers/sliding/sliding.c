@@ -11,6 +11,7 @@
 #define SP__SLIDING_SOFT ((sp_real)1e-3)    /* damping of a history: mean loads a mean arm */
 #define SP__SLIDING_FLOPS 10000000          /* what is spent at least, if starts are left */
 #define SP__SLIDING_STEPS 4000              /* of a history, at most */
+#define SP__SLIDING_FAR 1000                /* times the multiple where live loads are as large as dead ones: lower's end */
 #define SP__SLIDING_HALVES 8                /* of what forces carry, until it is proved */
 #define SP__SLIDING_INSIDE (1 - (sp_real)1e6 * (sp_real)SP_EPSILON)     /* of it: inside friction, by more than rounding */
 
@@ -78,12 +79,20 @@ static sp_status sp__sliding_open(sp__sliding *s, const sp_scene *scene, const s
     return SP_OK;
 }
 
+/* The loads at lambda, and a certificate check for them within the budget. */
+static int sp__sliding_certify(sp__sliding *s, sp_real lambda)
+{
+    sp__bracket *b = &s->bracket;
+    if (b->set.budget > 0 && s->limit > 0) b->limit = s->limit - (sp__sliding_flops(s) - b->cost.flops);
+    return sp__bracket_certify_begin(b, 1, lambda);
+}
+
 /* Largest violation of a state at lambda; 0 of *share, SP__HUGE: none. */
 static sp_real sp__sliding_judge(sp__sliding *s, sp_real lambda, const sp_real *f, const sp_real *v, sp_real *share)
 {
     sp__bracket *b = &s->bracket;
     *share = 0;
-    if (!(lambda >= 0) || !sp__bracket_certify_begin(b, 1, lambda)) return SP__HUGE;
+    if (!(lambda >= 0) || !sp__sliding_certify(s, lambda)) return SP__HUGE;
     sp__motion_read(&b->pb, v, s->v6);
     const sp_real residual = sp__certify_sliding(&b->certifier, b->live, f, s->v6, share);
     sp__bracket_certify_end(b);
@@ -94,7 +103,7 @@ static sp_real sp__sliding_judge(sp__sliding *s, sp_real lambda, const sp_real *
 static int sp__sliding_presses(sp__sliding *s, sp_real lambda, const sp_real *f, sp_real *out)
 {
     sp__bracket *b = &s->bracket;
-    if (!(lambda >= 0) || !sp__bracket_certify_begin(b, 1, lambda)) return 0;
+    if (!(lambda >= 0) || !sp__sliding_certify(s, lambda)) return 0;
     const sp_real imbalance = sp__certify_pressure(&b->certifier, f, out);
     sp__bracket_certify_end(b);
     return imbalance <= b->set.tol;
@@ -104,7 +113,7 @@ static int sp__sliding_presses(sp__sliding *s, sp_real lambda, const sp_real *f,
 static int sp__sliding_carries(sp__sliding *s, sp_real lambda, const sp_real *f)
 {
     sp__bracket *b = &s->bracket;
-    if (!(lambda >= 0) || !sp__bracket_certify_begin(b, 1, lambda)) return 0;
+    if (!(lambda >= 0) || !sp__sliding_certify(s, lambda)) return 0;
     const int carries = sp__even_carries(&s->even, &b->certifier, f, b->live);
     sp__bracket_certify_end(b);
     return carries || sp__sliding_presses(s, lambda, f, s->f);
@@ -114,7 +123,7 @@ static int sp__sliding_carries(sp__sliding *s, sp_real lambda, const sp_real *f)
 static int sp__sliding_holds(sp__sliding *s, sp_real lambda, const sp_real *f)
 {
     sp__bracket *b = &s->bracket;
-    if (!(lambda >= 0) || !sp__bracket_certify_begin(b, 1, lambda)) return 0;
+    if (!(lambda >= 0) || !sp__sliding_certify(s, lambda)) return 0;
     const int holds = sp__even_holds(&s->even, &b->certifier, f, b->live);
     sp__bracket_certify_end(b);
     return holds || sp__sliding_presses(s, lambda, f, s->f);
@@ -211,8 +220,10 @@ SP__NOINLINE static void sp__sliding_lower(sp__sliding *s, int rubs)
 {
     sp_sliding_result *r = &s->r;
     sp_real *const f[2] = { s->push.fn, s->push.ft }, *const rest[2] = { s->push.gn, s->push.gt };
-    const sp_real most = r->associative >= 0 ? r->associative : SP__HUGE;
-    const sp_real lambda = sp__descend_most(&s->descend, rubs, most, f, rest) * (rubs ? SP__SLIDING_INSIDE : (sp_real)1);
+    const sp_real most = r->associative >= 0 ? r->associative : SP__SLIDING_FAR * sp__engine_reference(&s->bracket);
+    const int64_t left = s->bracket.set.budget > 0 ? s->limit - sp__sliding_flops(s) : INT64_MAX / 4;
+    if (left <= 0) return;
+    const sp_real lambda = sp__descend_most(&s->descend, rubs, most, f, rest, left) * (rubs ? SP__SLIDING_INSIDE : (sp_real)1);
     if (!(lambda > r->lower)) return;
     for (int32_t k = 0; k < (rubs ? SP__SLIDING_HALVES : 1); k++) {
         const sp_real part = 1 / (sp_real)((int64_t)1 << k);
