@@ -567,7 +567,7 @@ SP__NOINLINE static sp_status sp__branch_decide(const sp_problem *pb, const sp_s
         return SP_OK;
     }
     out->proof.nodes = out->proof.leaves = out->proof.entries = 0;
-    out->reason = outcome == SP__OUT_POINT ? SP_COUPLING_LIMIT : SP_COUPLING_BUDGET;
+    out->reason = outcome == SP__OUT_BUDGET ? SP_COUPLING_BUDGET : SP_COUPLING_LIMIT;
     return SP_OK;
 }
 
