@@ -797,7 +797,8 @@ typedef struct sp_limit_result {
     sp_limit_kind kind;
     sp_reason reason;           /* SP_REASON_FORCES; of an UNDECIDED: SP_REASON_BUDGET, SP_REASON_LIMIT: the bracket stays open
                                    at this tol, or SP_REASON_UNVERIFIED */
-    sp_real multiplier;         /* lambda >= 0: power balance of dq, -(dead . dq) / (live . dq), bracketed; 0 unless FOUND */
+    sp_real multiplier;         /* lambda >= 0: power balance of dq, (resistance - dead . dq) / (live . dq), the resistance that
+                                   of joints with strength; bracketed; 0 unless FOUND */
     sp_real lower;              /* sp_verify of f, with scene.live = lower, says STABLE; -1: no such end */
     sp_real upper;              /* sp_verify of dq, with scene.live = upper, says UNSTABLE, and live . dq > 0; -1: no such end.
                                    Of a NONE 0 */
@@ -825,7 +826,8 @@ typedef struct sp_limit_result {
  *   scene     its `live` is not read
  *   settings  NULL: the default ones; read are tol, force_bound, faces, inscribed, iterations (four times as many where joints
  *             have strength), budget, and effect of the third dimension, which is left out as by a check: 3 rows a block where
- *             joints, dead and live loads share a mirror
+ *             joints, dead and live loads share a mirror. A budget is never exceeded; a larger one mostly decides what a
+ *             smaller one did
  *   result    its arrays live in the arena, of which it takes what sp_memory tells for SP_FOR_LIMIT
  *   returns   SP_OK (whatever the kind), SP_E_UNSUPPORTED (coupled), else as sp_check */
 SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp_arena *arena, sp_limit_result *result);
@@ -902,7 +904,8 @@ typedef struct sp_sliding_result {
 
 /* Histories of a planar scene: live loads are pushed on, step by step, joints being a little soft, until forces stay; what is
  * found is made exact and led to lower multiples by linear programs in forces and in the motion, and judged.
- *   settings  NULL: the default ones; read are tol, force_bound, budget; faces must be 0
+ *   settings  NULL: the default ones; read are tol, force_bound, budget; faces must be 0. Where the budget ends nothing new
+ *             begins; a step or a linear program under way is finished, so that more may be spent
  *   how       NULL: the default
  *   limit     of sp_limit for the same scene; read are kind, upper, cost
  *   result    its arrays live in the arena, of which it takes what sp_memory tells for SP_FOR_SLIDING
@@ -1035,8 +1038,8 @@ typedef struct sp_suggestion {
     sp_cost cost;
 } sp_suggestion;
 
-/* A next stone after which everything stands. add 1: the lowest absent block that does, of those that touch something that is
- * there; 0: the highest block that may be taken away (supports and held ones stay). Nothing is changed.
+/* A next stone after which everything stands. add 1: the lowest absent block that does, no support, of those that touch
+ * something that is there; 0: the highest block that may be taken away (supports and held ones stay). Nothing is changed.
  *   budget    flops after which no other stone is tried; 0: none
  *   returns   SP_OK, SP_E_ARGUMENT (null pointers, budget < 0) */
 SP_API sp_status sp_sequence_suggest(sp_sequence *sequence, int32_t add, int64_t budget, sp_suggestion *suggestion);

@@ -360,8 +360,7 @@ SP__NOINLINE static int sp__interior_run(sp__limit *L)
     sp__system *w = g->w;
     sp__ipm *m = &g->h.m;
     sp__bracket *b = &L->bracket;
-    const int32_t faces = w->law.cone.faces;
-    const sp_real cones = (sp_real)w->pb->points * (sp_real)(faces ? faces : 1);
+    const sp_real cones = sp__ipm_cones(w);
     int idle = 0;                                       /* steps that got nowhere, one after the other */
     sp__interior_start(L);
     for (int it = 0; it < SP__LIMIT_MOST && idle < SP__IPM_IDLE && g->n.left > 0 && m->theta > (sp_real)SP_EPSILON; it++) {

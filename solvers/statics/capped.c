@@ -197,9 +197,10 @@ static sp_real sp__capped_column(sp__capped *o)
 }
 
 /* Scaling, D and column of a vertex, its rates u by S.     returns 0: that was all, or it is outside */
-SP__NOINLINE static int sp__capped_begin(sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+SP__NOINLINE static int sp__capped_begin(sp__system *w, sp__ipm *m, int32_t c, int32_t v)
 {
     sp__capped *o = m->capped;
+    sp_real (*u)[3] = sp__visit_of(w)->u, *g = sp__visit_of(w)->f;
     const sp_real *x = m->x + SP__CAPPED * (size_t)v, S = m->force_scale * sp__system_scale(w, c);
     g[0] = g[1] = g[2] = 0;
     if (!sp__capped_scaling(o, x + 3, x + 8)) { m->outside = 1; return 0; }
@@ -223,8 +224,9 @@ SP__NOINLINE static void sp__capped_residuals(sp__ipm *m, const sp_real *x, sp_r
 }
 
 /* g of a pass that aims, or the step of one that moves. */
-SP__NOINLINE static void sp__capped_move(sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+SP__NOINLINE static void sp__capped_move(sp__system *w, sp__ipm *m, int32_t c, int32_t v)
 {
+    sp_real (*u)[3] = sp__visit_of(w)->u, *g = sp__visit_of(w)->f;
     sp__capped *o = m->capped;
     sp_real *x = m->x + SP__CAPPED * (size_t)v, *t = o->t, *change = o->change;
     const sp_real S = m->force_scale * sp__system_scale(w, c), keep = 1 - m->sigma, times = sp__system_multiplicity(w, v);
@@ -248,14 +250,15 @@ SP__NOINLINE static void sp__capped_move(sp__system *w, sp__ipm *m, int32_t c, i
     sp__capped_go(m, x);
 }
 
-/* One vertex of a pass; u: rates of y, predictor and step. g: what Aeq of the right-hand side has to make up for, or S b. */
-SP__NOINLINE static void sp__capped_vertex(sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+/* One vertex of a pass; visit->u: rates of y, predictor and step. visit->f: what Aeq of the right-hand side has to make up for,
+ * or S b. */
+SP__NOINLINE static void sp__capped_vertex(sp__system *w, sp__ipm *m, int32_t c, int32_t v)
 {
     const sp_real *x = m->x + SP__CAPPED * (size_t)v;
-    if (!sp__capped_begin(w, m, c, v, u, g)) return;
-    sp__capped_residuals(m, x, u);
+    if (!sp__capped_begin(w, m, c, v)) return;
+    sp__capped_residuals(m, x, sp__visit_of(w)->u);
     sp__capped_aim(m, x + 3, x + 8);
-    sp__capped_move(w, m, c, v, u, g);
+    sp__capped_move(w, m, c, v);
 }
 
 /* x = (1, 0, 0), s = z = e. */

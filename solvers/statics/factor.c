@@ -137,7 +137,8 @@ SP__NOINLINE static void sp__reduction_assemble(sp__system *w, sp__law law, cons
     sp_real *H = w->scratch->H3;
     sp__bchol_zero(&w->L);
     for (int32_t c = 0; c < pb->contacts; c++) {
-        if (law < SP__GIVEN && sp__system_yield(w, c)->plain) sp__wedge_hessian(w, law, c, y, H);
+        if (law == SP__INTERIOR ? sp__ipm_narrow(w) : law != SP__GIVEN && sp__system_yield(w, c)->plain)
+            sp__wedge_hessian(w, law, c, y, H);
         else if (sp__system_contact_hessian(w, law, c, y))
             sp__reduction_project(w->reduction, sp__reduction_frame(w, &pb->contact[c]), w->scratch->H, H);
         else continue;
@@ -196,7 +197,7 @@ SP__NOINLINE static void sp__system_factor(sp__system *w, sp__law law, const sp_
 {
     const sp__low floor = 4 * (sp__low)SP__LOW_EPSILON;
     const int64_t n = 6 * (int64_t)w->L.n, own = w->dense ? n * n * 2 * w->L.n : w->L.flops;
-    const int narrow = sp__reduced(w) && w->reduction->no_strength && law < SP__GIVEN;
+    const int narrow = sp__reduced(w) && w->reduction->no_strength && law != SP__GIVEN;
     if (!sp__system_spend(w, own) || !sp__system_assembly(w, narrow)) return;
     if (sp__reduced(w)) { sp__reduction_factor(w, law, y, shift); return; }
     sp__system_assemble(w, law, y, law == SP__INTERIOR ? 0 : shift);

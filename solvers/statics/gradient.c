@@ -38,11 +38,12 @@ SP__NOINLINE static void sp__contact_gradient(sp__system *w, sp__law law, const 
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real *l = w->pb->local[v], times = sp__system_multiplicity(w, v);
         if (!(times > 0)) continue;
-        sp__view_rates(w, k, l, X, u);
+        const sp_real *place = sp__view_place(w, k, l);
+        sp__view_rates(w, k, place, X, u);
         sp__view_force(w, k, law, u, g);
         if (f) sp__view_widen(w, k, g, f + 3 * (size_t)v);
         for (int q = 0; q < (k->g ? 2 : 3); q++) g[q] *= times;
-        sp__view_gather(w, k, l, g, Y);
+        sp__view_gather(w, k, place, g, Y);
         if (!w->carried) continue;
         sp__view_widen(w, k, g, s->m);
         sp__carry_add(w, t, l, s->m, sp__view_norm(k, g));
@@ -75,8 +76,9 @@ SP__NOINLINE static sp_real sp__contact_slope(sp__system *w, int32_t c, const sp
     for (int q = 0; q < (k->g ? 3 : 6); q++) o->twist[0][q] += s * o->twist[1][q];
     for (int32_t v = k->t->point; v < k->t->point + k->t->points; v++) {
         if (!(sp__system_multiplicity(w, v) > 0)) continue;
-        sp__view_rates(w, k, w->pb->local[v], o->twist[0], o->u[0]);
-        sp__view_rates(w, k, w->pb->local[v], o->twist[1], o->u[1]);
+        const sp_real *place = sp__view_place(w, k, w->pb->local[v]);
+        sp__view_rates(w, k, place, o->twist[0], o->u[0]);
+        sp__view_rates(w, k, place, o->twist[1], o->u[1]);
         if (k->g) sp__view_wedge(w, k, o->u[0], o->f);
         else sp__system_force(w, k->c, w->law.yield, o->u[0], o->f);
         o->sum[0] += sp__system_multiplicity(w, v) * sp__view_power(w, k, o->f, o->u[1]);
@@ -84,13 +86,13 @@ SP__NOINLINE static sp_real sp__contact_slope(sp__system *w, int32_t c, const sp
     return o->sum[0];
 }
 
-/* d/ds D(y + s d) = f(u + s du) . du + p . d. */
+/* d/ds D(y + s d) = f(u + s du) . du + p . d, but for p . d, which is the same all along d. */
 SP__NOINLINE static sp_real sp__system_slope(sp__system *w, const sp_real *y, const sp_real *d, sp_real s)
 {
     sp_real sum = 0;
     if (!sp__system_sweep(w, 1, 2)) return 0;
     for (int32_t c = 0; c < w->pb->contacts; c++) sum += sp__contact_slope(w, c, y, d, s);
-    return sum + sp__system_work(w, d);
+    return sum;
 }
 
 #endif

@@ -13,6 +13,44 @@
 
 #if SP__WITH_LARGE
 
+/* Is K of every vertex a wedge, or fn >= 0, of a reduced search? */
+static int sp__ipm_narrow(const sp__system *w) { return sp__reduced(w) && w->reduction->no_strength; }
+
+/* Numbers x of a vertex: of the true cone 3, else one an edge of K; of a wedge its sides, of level joints fn alone. */
+static size_t sp__ipm_numbers(const sp__system *w)
+{
+    if (sp__ipm_narrow(w)) return w->reduction->mode == SP__PLANE ? 2 : 1;
+    return w->law.cone.faces ? (size_t)w->law.cone.faces : 3;
+}
+
+/* Columns of E of a wedge, x >= 0: (e[0], e[1]) and (e[0], e[2]), the cone's in the plane: its x0 +- x1 are their x, and of
+ * z0 +- z1 each has half, so that its path is theirs. They lie in w->scratch until the next visit. */
+SP__NOINLINE static void sp__ipm_sides(const sp__system *w, int32_t c, const sp_real *g)
+{
+    const int plane = w->reduction->mode == SP__PLANE;
+    const sp_real S = w->inner->force_scale * sp__system_scale(w, c), mu = plane ? sp__system_mu(w, c) : 0;
+    sp_real *e = sp__visit_of(w)->edge;
+    e[0] = plane ? S / 2 : S;
+    e[1] = plane ? e[0] * (mu / g[4]) : 0;
+    e[2] = plane ? -e[0] * (mu / g[5]) : 0;
+}
+
+/* sp__ipm_derivative of a wedge: D nn, ns, ss. */
+SP__NOINLINE static void sp__ipm_by_sides(sp__system *w, int32_t v, const sp_real u[2], sp_real D[3], sp_real *f)
+{
+    const size_t sides = sp__ipm_numbers(w);
+    const sp_real *x = w->inner->x + sides * (size_t)v, times = sp__system_multiplicity(w, v), *e = sp__visit_of(w)->edge;
+    D[0] = D[1] = D[2] = 0;
+    if (f) f[0] = f[1] = f[2] = 0;
+    for (size_t k = 0; k < sides; k++) {
+        const sp_real a = e[0], b = e[1 + k], z = w->inner->theta / (sp_real)sides - (a * u[0] + b * u[1]), s = x[k] / z;
+        if (!(z > 0 && x[k] > 0)) w->inner->outside = 1;
+        w->inner->gap += times * x[k] * z;
+        D[0] += s * a * a; D[1] += s * a * b; D[2] += s * b * b;
+        if (f) { f[0] += x[k] * a; f[1] += x[k] * b; }
+    }
+}
+
 /* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge: this, all times
  * `force_scale`. e[1] not written like e[2]: see sp__soc_square. */
 static void sp__ipm_edge(const sp__system *w, int32_t c, int32_t k, sp_real e[3])
@@ -84,13 +122,15 @@ SP__NOINLINE static void sp__wedge_hessian(sp__system *w, sp__law law, int32_t c
     sp__visit *at = sp__visit_of(w);
     sp_real *X = at->twist[0], *h = at->twist[1], *q = at->m, *u = at->u[0], *D = at->D;
     for (int k = 0; k < 6; k++) h[k] = 0;
+    if (SP__WITH_INTERIOR && law == SP__INTERIOR) sp__ipm_sides(w, c, g);
     sp__reduction_motion(w, t, g, y, X);
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real *l = w->pb->local[v], times = sp__system_multiplicity(w, v);
         if (!(times > 0)) continue;
         sp__wedge_levers(w, g, l, q);
-        sp__wedge_rates(w, g, l, X, u);
-        sp__wedge_law(w, law, c, g, u, NULL, D);
+        sp__wedge_rates(w, q, X, u);
+        if (SP__WITH_INTERIOR && law == SP__INTERIOR) sp__ipm_by_sides(w, v, u, D, NULL);
+        else sp__wedge_law(w, law, c, g, u, NULL, D);
         const sp_real nn = times * D[0], ns = times * D[1], ss = times * D[2];
         const sp_real a = nn * q[0], b = plane ? ns * q[1] : nn * q[1];
         h[0] += nn;

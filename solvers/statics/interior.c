@@ -13,15 +13,16 @@
  * x, z in cones, from x = z = e, y = 0, tau = theta = mu = 1, kappa = k down to theta = mu = 0: the homogeneous self-dual
  * embedding of "is there an f". Then f = E x / tau balances p, or no contact resists dq = -y while the load does work kappa: of
  * all such motions the centre, with k / (k + number of cones) of the most work there is; so k is not 1, and late, where little
- * work has to do for a proof, more than there are cones. A step factorises
- * Aeq E W^2 E' Aeq', the same blocks as Newton's; z is never stored. Mostly it ends long before that: when the least change of
- * x, in the metric of W, that balances p is admissible, or the least change of y after which nothing resists is a proof.
+ * work has to do for a proof, more than there are cones. A step factorises Aeq E W^2 E' Aeq', the same blocks as Newton's; z is
+ * never stored. In 3 rows a block K is a wedge, two half lines, one where joints are level (sp__ipm_sides). Mostly it ends long
+ * before that: when the least change of x, in the metric of W, that balances p is admissible, or the least change of y after
+ * which nothing resists is a proof.
  *                                  [Ye, Todd, Mizuno 1994; Nesterov, Todd 1997; Mehrotra 1992; Andersen, Roos, Terlaky 2003] */
 
 /* Where copy k of the targets is, from x on: each has as many numbers as x. */
 static size_t sp__ipm_copy(const sp__system *w, int k)
 {
-    return (size_t)k * (size_t)w->pb->points * (size_t)(w->law.cone.faces ? w->law.cone.faces : 3);
+    return (size_t)k * (size_t)w->pb->points * sp__ipm_numbers(w);
 }
 
 /* Is a pass without a step of its own? It makes a right-hand side. */
@@ -90,23 +91,23 @@ SP__NOINLINE static void sp__ipm_cone(const sp__system *w, sp__ipm *m, sp_real *
     }
 }
 
-/* One edge of a pyramid, as sp__ipm_cone does a cone; here W^2 = x / z. */
-static sp_real sp__ipm_ray(const sp__system *w, sp__ipm *m, sp_real *x, const sp_real u[3])
+/* One edge of a pyramid, as sp__ipm_cone does a cone; here W^2 = x / z. parts: 2 for the sides of a wedge, which share e. */
+static sp_real sp__ipm_ray(const sp__system *w, sp__ipm *m, sp_real parts, sp_real *x, const sp_real u[3])
 {
-    const sp_real keep = 1 - m->sigma, z = m->theta - u[0], s = *x / z, aim = m->sigma * m->mu;
+    const sp_real keep = 1 - m->sigma, theta = m->theta / parts, z = theta - u[0], s = *x / z, aim = m->sigma * m->mu / parts;
     sp_real h = -*x;
     if (sp__ipm_has_targets(m)) h = x[sp__ipm_copy(w, m->kept)];
     else if (m->corrected) {
-        const sp_real dz = -m->theta - u[1], dx = -*x - s * dz;
+        const sp_real dz = -theta - u[1], dx = -*x - s * dz;
         h += (aim - dx * dz) / z;
         if (m->kept) x[sp__ipm_copy(w, m->kept)] = h;
     }
     if (m->pass == SP__CENTRE) {
-        const sp_real dz = -keep * m->theta - u[2], dx = h - s * dz;
+        const sp_real dz = -keep * theta - u[2], dx = h - s * dz;
         h += sp__centred((*x + m->reach * dx) * (z + m->reach * dz), aim) / z;
         x[sp__ipm_copy(w, 3 - m->kept)] = h;
     }
-    const sp_real dz = -keep * m->theta - (sp__ipm_aims(m->pass) ? 0 : u[2]), dx = h - s * dz;
+    const sp_real dz = -keep * theta - (sp__ipm_aims(m->pass) ? 0 : u[2]), dx = h - s * dz;
     if (m->pass == SP__REACH) m->reach = sp__ray_step(z, dz, sp__ray_step(*x, dx, m->reach));
     if (m->pass == SP__MOVE) *x += m->reach * dx;
     return -(keep * *x + dx);
@@ -119,20 +120,44 @@ SP__NOINLINE static void sp__ipm_rays(const sp__system *w, sp__ipm *m, int32_t c
     for (int32_t k = 0; k < w->law.cone.faces; k++) {
         sp__ipm_edge(w, c, k, e);
         for (int q = 0; q < 3; q++) rate[q] = sp__dot3(e, u[q]);
-        const sp_real a = sp__ipm_ray(w, m, x + k, rate);
+        const sp_real a = sp__ipm_ray(w, m, 1, x + k, rate);
         for (int q = 0; q < 3; q++) g[q] += a * e[q];
     }
 }
 
-/* One vertex: its cone or the edges of its pyramid. g is a force. */
-SP__NOINLINE static void sp__ipm_vertex(const sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
+/* The sides of its wedge; rates and g have two numbers. */
+SP__NOINLINE static void sp__ipm_wedge(const sp__system *w, sp__ipm *m, int32_t v)
 {
+    const size_t sides = sp__ipm_numbers(w);
+    sp__visit *s = sp__visit_of(w);
+    sp_real (*u)[3] = s->u, *g = s->f, *x = m->x + sides * (size_t)v, *e = s->edge, *rate = s->rate;
+    g[0] = g[1] = g[2] = 0;
+    for (size_t k = 0; k < sides; k++) {
+        for (int q = 0; q < 3; q++) rate[q] = e[0] * u[q][0] + e[1 + k] * u[q][1];
+        const sp_real a = sp__ipm_ray(w, m, (sp_real)sides, x + k, rate);
+        g[0] += a * e[0];
+        g[1] += a * e[1 + k];
+    }
+}
+
+/* One vertex: its cone or the edges of its pyramid. g is a force. */
+SP__NOINLINE static void sp__ipm_vertex(const sp__system *w, sp__ipm *m, int32_t c, int32_t v)
+{
+    sp_real (*u)[3] = sp__visit_of(w)->u, *g = sp__visit_of(w)->f;
     g[0] = g[1] = g[2] = 0;
     if (w->law.cone.faces) { sp__ipm_rays(w, m, c, v, u, g); return; }
     const sp_real S = m->force_scale * sp__system_scale(w, c), T = S * sp__system_mu(w, c);
     for (int k = 0; k < 3; k++) { u[k][0] *= S; u[k][1] *= T; u[k][2] *= T; }
     sp__ipm_cone(w, m, m->x + 3 * (size_t)v, u, g);
     g[0] *= S; g[1] *= T; g[2] *= T;
+}
+
+/* A contact as interior points see it: in two numbers a vertex only where all are. */
+static sp__view sp__ipm_view(const sp__system *w, int32_t c)
+{
+    const sp_contact *t = &w->pb->contact[c];
+    const sp__view k = { t, c, sp__ipm_narrow(w) ? sp__reduction_frame(w, t) : NULL };
+    return k;
 }
 
 /* One pass over all vertices. AIM: r = Aeq g, the right-hand side but for -(1 - sigma) tau p; it has no step yet, and what is
@@ -143,28 +168,30 @@ SP__NOINLINE static void sp__ipm_sweep(sp__system *w, sp__ipm *m, sp__pass pass,
     m->pass = pass;
     const int gathers = sp__ipm_aims(pass), targets = sp__ipm_has_targets(m);
     const int counts[3] = { 1, m->corrected && !targets, !gathers || pass == SP__CENTRE }, rates = 1 + counts[1] + counts[2];
-    if (!sp__system_count(w, rates * SP__FLOPS_SWEEP, rates * SP__FLOPS_TWIST)) return;
+    if (!sp__system_sweep(w, rates, rates)) return;
     if (gathers) memset(r, 0, 6 * (size_t)pb->blocks * sizeof *r);
     for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_contact *t = &pb->contact[c];
+        const sp__view view = sp__ipm_view(w, c);
         sp__visit *s = sp__visit_of(w);
-        sp_real (*u)[3] = s->u, *g = s->f, *F = s->sum, *M = F + 3;
+        sp_real (*u)[3] = s->u, *g = s->f, *Y = s->sum;
         if (m->capped) sp__capped_rows(w, c);
+        if (view.g) sp__ipm_sides(w, c, view.g);
         for (int k = 0; k < 3; k++) {
-            F[k] = M[k] = u[k][0] = u[k][1] = u[k][2] = 0;
-            if (counts[k]) sp__system_twist(w, t, m->along[k], s->twist[k], s->twist[k] + 3);
+            Y[k] = Y[3 + k] = u[k][0] = u[k][1] = u[k][2] = 0;
+            if (counts[k]) sp__view_motion(w, &view, m->along[k], s->twist[k]);
         }
-        for (int32_t v = t->point; v < t->point + t->points; v++) {
+        for (int32_t v = view.t->point; v < view.t->point + view.t->points; v++) {
             if (!(sp__system_multiplicity(w, v) > 0)) continue;
+            const sp_real *place = sp__view_place(w, &view, pb->local[v]);
             for (int k = 0; k < 3; k++)
-                if (counts[k]) sp__system_rate(w, s->twist[k], s->twist[k] + 3, pb->local[v], u[k]);
-            if (m->capped) sp__capped_vertex(w, m, c, v, u, g);
-            else sp__ipm_vertex(w, m, c, v, u, g);
+                if (counts[k]) sp__view_rates(w, &view, place, s->twist[k], u[k]);
+            if (m->capped) sp__capped_vertex(w, m, c, v);
+            else if (view.g) sp__ipm_wedge(w, m, v);
+            else sp__ipm_vertex(w, m, c, v);
             sp__scale3(sp__system_multiplicity(w, v), g, g);
-            sp__cross3(pb->local[v], g, s->m);
-            for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += s->m[k]; }
+            if (gathers) sp__view_gather(w, &view, place, g, Y);
         }
-        if (gathers) sp__system_scatter(w, t, F, M, r);
+        if (gathers) sp__view_scatter(w, &view, Y, r);
     }
     if (gathers) sp__system_release(w, r);
 }
@@ -190,6 +217,15 @@ static int sp__ipm_idle(const sp__system *w, const sp__ipm *m, int32_t c, const 
     return m->ray && D[0] < S * S;
 }
 
+/* Force and D of a vertex in Newton's y. */
+static void sp__ipm_of_newton(sp__system *w, const sp__view *view, const sp_real *u, sp_real D[6], sp_real g[3])
+{
+    g[2] = 0;
+    if (view->g) { sp__wedge_law(w, SP__ADMISSIBLE, view->c, view->g, u, g, D); return; }
+    sp__system_force(w, view->c, w->law.yield, u, g);
+    if (!sp__vertex_slope(w, SP__ADMISSIBLE, view->c, u, D)) memset(D, 0, 6 * sizeof *D);
+}
+
 /* f <- P_K(f - D Aeq' d), D = E W^2 E', in units; before the first change of f it is P_K(E x / tau). m NULL: D = S DP_K and
  * f = S P_K of Newton's y: a y of a thousand times the forces' size has lost their last digits. Then r = Aeq g + p of
  * g = P_K(f - D Aeq' e). Changes add up in f, not in d: a large d, most of it a motion that hardly anything resists, would
@@ -198,44 +234,54 @@ SP__NOINLINE static void sp__ipm_balance(sp__system *w, const sp__ipm *m, int fi
                                          sp_state *state)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__system_count(w, 4 * SP__FLOPS_SWEEP, 3 * SP__FLOPS_TWIST)) return;
+    if (!sp__system_sweep(w, 4, 3)) return;
     sp__system_load(w, w->r);
     memset(w->carried, 0, 3 * (size_t)pb->blocks * sizeof *w->carried);
     for (int32_t c = 0; c < pb->contacts; c++) {
-        const sp_contact *t = &pb->contact[c];
-        const sp__yield *yield = sp__system_yield(w, c);
-        const sp_real S = sp__system_scale(w, c);
+        const sp__view view = sp__ipm_view(w, c);
         sp__visit *s = sp__visit_of(w);
-        sp_real (*twist)[6] = s->twist, *u = s->u[0], *D = s->D, *g = s->f, *F = s->sum, *M = F + 3;
+        sp_real *u = s->u[0], *D = s->D, *g = s->f, *Y = s->sum;
+        if (!view.g) sp__system_yield(w, c);
         if (m && m->capped) sp__capped_rows(w, c);
-        sp__system_twist(w, t, w->y, twist[0], twist[0] + 3);
-        sp__system_twist(w, t, d, twist[1], twist[1] + 3);
-        sp__system_twist(w, t, e, twist[2], twist[2] + 3);
-        for (int k = 0; k < 3; k++) F[k] = M[k] = 0;
-        for (int32_t v = t->point; v < t->point + t->points; v++) {
+        if (m && view.g) sp__ipm_sides(w, c, view.g);
+        sp__view_motion(w, &view, w->y, s->twist[0]);
+        sp__view_motion(w, &view, d, s->twist[1]);
+        sp__view_motion(w, &view, e, s->twist[2]);
+        for (int k = 0; k < 6; k++) Y[k] = 0;
+        for (int32_t v = view.t->point; v < view.t->point + view.t->points; v++) {
             sp_real *f = state->f + 3 * (size_t)v;
-            const sp_real times = sp__system_multiplicity(w, v);
-            if (!(times > 0)) continue;
-            sp__system_rate(w, twist[0], twist[0] + 3, pb->local[v], u);
-            if (m) sp__ipm_derivative(w, c, v, u, D, g);
-            else {
-                sp__system_force(w, c, yield, u, g);
-                if (!sp__vertex_slope(w, SP__ADMISSIBLE, c, u, D)) memset(D, 0, 6 * sizeof *D);
-            }
+            if (!(sp__system_multiplicity(w, v) > 0)) continue;
+            const sp_real *place = sp__view_place(w, &view, pb->local[v]);
+            sp__view_rates(w, &view, place, s->twist[0], u);
+            if (!m) sp__ipm_of_newton(w, &view, u, D, g);
+            else if (view.g) sp__ipm_by_sides(w, v, u, D, g);
+            else sp__ipm_derivative(w, c, v, u, D, g);
             if (m && sp__ipm_idle(w, m, c, D)) { memset(f, 0, 3 * sizeof *f); continue; }
             if (first) sp__scale3(m ? 1 / m->tau : 1, g, f);
-            sp__system_rate(w, twist[1], twist[1] + 3, pb->local[v], u);
-            sp__ipm_change(w, S, D, u, f, f);
-            sp__system_rate(w, twist[2], twist[2] + 3, pb->local[v], u);
-            sp__ipm_change(w, S, D, u, f, g);
-            sp__scale3(times, g, g);
-            sp__cross3(pb->local[v], g, u);
-            for (int k = 0; k < 3; k++) { F[k] += g[k]; M[k] += u[k]; }
-            sp__carry_add(w, t, pb->local[v], g, sp__norm3(g));
+            for (int k = 1; k < 3; k++) {
+                sp_real *out = k == 1 ? f : g;
+                sp__view_rates(w, &view, place, s->twist[k], u);
+                if (view.g) sp__wedge_change(w, c, view.g, D, u, f, out);
+                else sp__ipm_change(w, sp__system_scale(w, c), D, u, f, out);
+            }
+            sp__scale3(sp__system_multiplicity(w, v), g, g);
+            sp__view_gather(w, &view, place, g, Y);
+            sp__view_widen(w, &view, g, s->m);
+            sp__carry_add(w, view.t, pb->local[v], s->m, sp__view_norm(&view, g));
         }
-        sp__system_scatter(w, t, F, M, w->r);
+        sp__view_scatter(w, &view, Y, w->r);
     }
     sp__system_release(w, w->r);
+}
+
+/* Forces of wedges as (fn, ft1, ft2). */
+SP__NOINLINE static void sp__ipm_widen(const sp__system *w, sp_real *f)
+{
+    for (int32_t c = 0; c < w->pb->contacts && sp__ipm_narrow(w); c++) {
+        const sp__view k = sp__ipm_view(w, c);
+        for (int32_t v = k.t->point; v < k.t->point + k.t->points; v++)
+            if (sp__system_multiplicity(w, v) > 0) sp__wedge_widen(w, k.g, f + 3 * (size_t)v, f + 3 * (size_t)v);
+    }
 }
 
 /* Does the least change of x (m NULL: of Newton's forces) that balances leave the forces admissible? What is not is projected
@@ -263,6 +309,7 @@ SP__NOINLINE static void sp__ipm_forces(sp__system *w, const sp__ipm *m, sp__new
     }
     n->imbalance = strict;
     if (strict > SP__ENOUGH * w->set->tol) return;
+    sp__ipm_widen(w, state->f);
     sp__to_newtons(w->measure.unit, 3 * (size_t)w->pb->points, state->f, state->f);
     n->best = strict;
     n->found = 1;
@@ -362,13 +409,19 @@ SP__NOINLINE static void sp__ipm_step(sp__system *w, sp__ipm *m, const sp_state 
     m->theta *= 1 - m->reach * (1 - m->sigma);
 }
 
+/* Cones of all vertices; a wedge is one. */
+static sp_real sp__ipm_cones(const sp__system *w)
+{
+    return (sp_real)w->pb->points * (sp_real)(sp__ipm_narrow(w) || !w->law.cone.faces ? 1 : w->law.cone.faces);
+}
+
 /* x = z = e, y = 0. force_scale is a quarter of the forces at an average block. */
 static void sp__ipm_start(sp__system *w, sp__ipm *m)
 {
-    const int32_t faces = w->law.cone.faces;
+    const size_t numbers = sp__ipm_numbers(w) * (size_t)w->pb->points;
+    const int edges = sp__ipm_narrow(w) || w->law.cone.faces;
     memset(w->y, 0, 6 * (size_t)w->pb->blocks * sizeof *w->y);
-    const size_t numbers = (size_t)(faces ? faces : 3) * (size_t)w->pb->points;
-    for (size_t k = 0; k < numbers && !m->capped; k++) m->x[k] = faces || k % 3 == 0;
+    for (size_t k = 0; k < numbers && !m->capped; k++) m->x[k] = edges || k % 3 == 0;
     m->force_scale = 0;
     for (int32_t i = 0; i < w->pb->blocks; i++) m->force_scale += w->measure.size[2 * (size_t)i] / (4 * (sp_real)w->pb->blocks);
     if (w->measure.metric > 0) m->force_scale = 1 / (4 * w->measure.metric);
@@ -387,7 +440,7 @@ static void sp__ipm_start(sp__system *w, sp__ipm *m)
  *   where it is, the proximal path mostly finds them, for its factors have more */
 SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp_state *state)
 {
-    sp_real cones = (sp_real)w->pb->points * (sp_real)(w->law.cone.faces ? w->law.cone.faces : 1);
+    sp_real cones = sp__ipm_cones(w);
     if (w->budget.spent) return 0;                      /* maybe before there were sizes */
     m->idle = 0;
     m->capped = sp__problem_strong(w->pb) ? w->capped : NULL;

@@ -49,9 +49,10 @@ static sp_real sp__line_enough(const sp__line *l) { return sp__max((sp_real)0.2 
 /* Step length that brings the slope below a fifth of its start; `f`: the slope at 1, known already. */
 SP__NOINLINE static sp_real sp__newton_search(sp__system *w, const sp__line *l, sp_real f)
 {
-    sp_real lo = 0, flo = l->start, hi = 0, fhi = 0, s = 1;
+    sp_real lo = 0, flo = l->start, hi = 0, fhi = 0, s = 1, work = 0;
     for (int it = 0; it < 14; it++) {
-        if (it) f = sp__system_slope(w, w->y, w->d, s) + l->yd + s * l->dd;
+        if (it == 1) work = sp__system_work(w, w->d);
+        if (it) f = sp__system_slope(w, w->y, w->d, s) + work + l->yd + s * l->dd;
         if (sp__abs(f) <= sp__line_enough(l)) return s;
         if (f < 0) { lo = s; flo = f; }
         else { hi = s; fhi = f; }
@@ -85,7 +86,7 @@ SP__NOINLINE static sp_real sp__newton_resist(const sp__system *w, int32_t c, co
     for (int32_t v = k.t->point; v < k.t->point + k.t->points; v++) {
         const sp_real times = sp__system_multiplicity(w, v);
         if (!(times > 0)) continue;
-        sp__view_rates(w, &k, w->pb->local[v], X, u);
+        sp__view_rates(w, &k, sp__view_place(w, &k, w->pb->local[v]), X, u);
         if (k.g) sp__view_wedge(w, &k, u, f);
         sum += times * (k.g ? sp__view_norm(&k, f) : sp__cone_support(&w->law.cone, w->law.yield, u, most));
     }

@@ -46,11 +46,19 @@ static void sp__view_scatter(const sp__system *w, const sp__view *k, const sp_re
     else sp__system_scatter(w, k->t, Y, Y + 3, r);
 }
 
-/* u = (I, -[l]x) X, friction weighed; the narrow kernel has no third. */
-static void sp__view_rates(const sp__system *w, const sp__view *k, const sp_real *l, const sp_real X[6], sp_real u[3])
+/* Where a vertex at l is, for the two below: l, or its levers, which lie in w->scratch until the next call. */
+static const sp_real *sp__view_place(const sp__system *w, const sp__view *k, const sp_real *l)
 {
-    if (k->g) sp__wedge_rates(w, k->g, l, X, u);
-    else sp__system_rate(w, X, X + 3, l, u);
+    if (!k->g) return l;
+    sp__wedge_levers(w, k->g, l, sp__visit_of(w)->h);
+    return sp__visit_of(w)->h;
+}
+
+/* u = (I, -[l]x) X, friction weighed; the narrow kernel has no third. */
+static void sp__view_rates(const sp__system *w, const sp__view *k, const sp_real *place, const sp_real X[6], sp_real u[3])
+{
+    if (k->g) sp__wedge_rates(w, place, X, u);
+    else sp__system_rate(w, X, X + 3, place, u);
 }
 
 /* f = S P_K(u), or S u */
@@ -76,9 +84,10 @@ static void sp__view_widen(const sp__system *w, const sp__view *k, const sp_real
 }
 
 /* Y += (I, -[l]x)' f */
-static void sp__view_gather(const sp__system *w, const sp__view *k, const sp_real *l, const sp_real f[3], sp_real Y[6])
+static void sp__view_gather(const sp__system *w, const sp__view *k, const sp_real *place, const sp_real f[3], sp_real Y[6])
 {
-    if (k->g) { sp__wedge_gather(w, k->g, l, f, Y); return; }
+    const sp_real *l = place;
+    if (k->g) { sp__wedge_gather(w, place, f, Y); return; }
     Y[0] += f[0]; Y[1] += f[1]; Y[2] += f[2];
     Y[3] += l[1] * f[2] - l[2] * f[1];
     Y[4] += l[2] * f[0] - l[0] * f[2];

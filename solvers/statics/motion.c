@@ -93,9 +93,10 @@ static void sp__system_load_of(const sp__system *w, size_t k, sp_real p[3])
     sp__to_units(w->measure.unit, 3, w->pb->p + 3 * k, p);
     if (!sp__reduced(w)) return;
     const int plane = w->reduction->mode == SP__PLANE, along = plane == (int)(k % 2);         /* rows 2 and 5, or the others */
-    sp__reduction_turn(w->reduction, p, p);
-    if (along) p[0] = p[1] = 0;
-    else p[2] = 0;
+    sp_real (*e)[3] = w->reduction->e;
+    const sp_real x = along ? 0 : sp__dot3(p, e[0]), y = along ? 0 : sp__dot3(p, e[1]);
+    p[2] = along ? sp__dot3(p, e[2]) : 0;
+    p[0] = x; p[1] = y;
 }
 
 /* r <- the weighted load in units. */
@@ -155,13 +156,13 @@ static const sp__yield *sp__system_yield(const sp__system *w, int32_t c)
 /* X = T y: motion of B seen from A at the origin of a contact. */
 static void sp__reduction_motion(const sp__system *w, const sp_contact *t, const sp_real *g, const sp_real *y, sp_real X[3])
 {
+    const int plane = w->reduction->mode == SP__PLANE;
     X[0] = X[1] = X[2] = 0;
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
         if (i < 0) continue;
-        const sp_real *T = g + 6 + 7 * side, *yi = y + 6 * (size_t)i;
-        const sp__reduction *o = w->reduction;
-        const sp_real a = yi[sp__reduction_row(o, 0)], b = yi[sp__reduction_row(o, 1)], c = yi[sp__reduction_row(o, 2)];
+        const sp_real *T = g + 6 + 7 * side, *yi = y + 6 * (size_t)i;                   /* rows of sp__reduction_row */
+        const sp_real a = yi[plane ? 0 : 2], b = yi[plane ? 1 : 3], c = yi[plane ? 5 : 4];
         X[0] += T[0] * a + T[2] * b + T[4] * c;
         X[1] += T[1] * a + T[3] * b + T[5] * c;
         X[2] += T[6] * c;

@@ -54,7 +54,7 @@ SP__NOINLINE static void sp__size_carry(sp__system *w, int32_t c, const sp_real 
     for (int32_t v = k.t->point; v < k.t->point + k.t->points; v++) {
         const sp_real *l = w->pb->local[v], times = sp__system_multiplicity(w, v);
         if (!(times > 0)) continue;
-        sp__view_rates(w, &k, l, X, u);
+        sp__view_rates(w, &k, sp__view_place(w, &k, l), X, u);
         if (!k.g) sp__view_rates(w, &k, l, dX, du);
         for (int q = 0; q < (k.g ? 2 : 3); q++) u[q] = times * (k.g ? u[q] : u[q] - du[q]);
         sp__view_widen(w, &k, u, s->f);

@@ -23,34 +23,30 @@ static void sp__wedge_levers(const sp__system *w, const sp_real *g, const sp_rea
     q[1] = plane ? l[0] : g[2] * l[2] - g[3] * l[1];
 }
 
-/* u = (un, us) of a vertex at l. */
-static void sp__wedge_rates(const sp__system *w, const sp_real *g, const sp_real *l, const sp_real X[3], sp_real u[2])
+/* u = (un, us) of a vertex with levers q. */
+static void sp__wedge_rates(const sp__system *w, const sp_real q[2], const sp_real X[3], sp_real u[2])
 {
     const int plane = w->reduction->mode == SP__PLANE;
-    sp_real q[2];
-    sp__wedge_levers(w, g, l, q);
     u[0] = plane ? X[0] + q[0] * X[2] : X[0] + q[0] * X[1] + q[1] * X[2];
     u[1] = plane ? w->law.slide * (X[1] + q[1] * X[2]) : 0;
 }
 
-/* Y += what force f = (fn, fs) at l does to X. */
-static void sp__wedge_gather(const sp__system *w, const sp_real *g, const sp_real *l, const sp_real f[2], sp_real Y[3])
+/* Y += what force f = (fn, fs) at levers q does to X. */
+static void sp__wedge_gather(const sp__system *w, const sp_real q[2], const sp_real f[2], sp_real Y[3])
 {
     const int plane = w->reduction->mode == SP__PLANE;
-    sp_real q[2];
-    sp__wedge_levers(w, g, l, q);
     Y[0] += f[0];
     Y[1] += plane ? f[1] : q[0] * f[0];
     Y[2] += plane ? q[0] * f[0] + q[1] * f[1] : q[1] * f[0];
 }
 
-/* The force as (fn, ft1, ft2). */
+/* The force as (fn, ft1, ft2); out may be f. */
 static void sp__wedge_widen(const sp__system *w, const sp_real *g, const sp_real f[2], sp_real out[3])
 {
-    const int plane = w->reduction->mode == SP__PLANE;
+    const sp_real slip = w->reduction->mode == SP__PLANE ? f[1] : 0;
     out[0] = f[0];
-    out[1] = plane ? f[1] * g[2] : 0;
-    out[2] = plane ? f[1] * g[3] : 0;
+    out[1] = slip * g[2];
+    out[2] = slip * g[3];
 }
 
 /* f = P_K(u) with tension at its price, D its derivative (nn, ns, ss); mu: of the yield. f or D may be NULL. */
@@ -65,6 +61,17 @@ static void sp__wedge_project(const sp__system *w, sp_real mu, const sp_real *g,
     D[0] = (inside ? 1 : carries ? c : 0) + soft;
     D[1] = inside || !carries ? 0 : side * k * c;
     D[2] = inside ? 1 : carries ? k * k * c : 0;
+}
+
+/* out = P_K(f - D u) in the exact form; out may be f. */
+SP__NOINLINE static void sp__wedge_change(const sp__system *w, int32_t c, const sp_real *g, const sp_real D[3],
+                                          const sp_real u[2], const sp_real f[2], sp_real *out)
+{
+    const sp_real x = f[0] - (D[0] * u[0] + D[1] * u[1]), y = f[1] - (D[1] * u[0] + D[2] * u[1]);
+    out[0] = x; out[1] = y;
+    if (w->reduction->mode == SP__PLANE) { sp__wedge_project(w, sp__system_mu(w, c), g, out, out, NULL); return; }
+    out[0] = sp__max(0, x);
+    out[1] = 0;
 }
 
 /* f = P_K(u), or u where joints are bilateral, in the metric; D likewise. */

@@ -6,7 +6,7 @@
 #include "../../solvers/base/words.c"
 #include "../../solvers/scene/scene.c"
 #include "../../solvers/scene/block.c"
-#include "../../solvers/statics/rigid.c"
+#include "../../solvers/statics/interior.c"
 #include "../scenes/gen.h"
 #include "../scenes/change.h"
 
@@ -218,8 +218,9 @@ TEST(slope_and_work_in_3_rows_are_those_in_6)
         CHECK(size > 1e-3);
         CHECK_WITHIN(sp__system_work(b.w[0], b.y[0]), sp__system_work(b.w[1], b.y[1]), TOL(1e-11, 2e-5) * size);
         for (int p = 0; p < POINTS; p++) {
-            const sp_real s = test_random_real(-1, 1), at = sp__system_slope(b.w[1], b.y[1], b.d[1], s);
-            CHECK_WITHIN(sp__system_slope(b.w[0], b.y[0], b.d[0], s), at, TOL(1e-11, 1e-4) * (fabs((double)at) + y));
+            const sp_real s = test_random_real(-1, 1), load = sp__system_work(b.w[1], b.d[1]);
+            const sp_real at = sp__system_slope(b.w[1], b.y[1], b.d[1], s) + load;
+            CHECK_WITHIN(sp__system_slope(b.w[0], b.y[0], b.d[0], s) + load, at, TOL(1e-11, 1e-4) * (fabs((double)at) + y));
             for (int i = 0; i < 2; i++) {               /* gradient . d */
                 for (size_t q = 0; q < b.n; q++) b.x[i][q] = b.y[i][q] + s * b.d[i][q];
                 sp__system_gradient(b.w[i], SP__ADMISSIBLE, b.x[i], b.r[i], NULL);
@@ -344,6 +345,170 @@ TEST(product_with_the_Hessian_in_3_rows_is_that_in_6)
     }
 }
 
+#if SP__WITH_INTERIOR
+/* Interior points in 3 rows: f = sum x_k e_k over the n sides of a wedge, e = S (1, +- mu) / 2 in (fn, fs), z = theta / n - e.u;
+ * of level joints f = x S alone. All of it by this, without what the library makes of sides. */
+typedef struct side { sp_real e[2], x, z, u[3]; int n; } side;    /* u: along e of y, d and a step; n of them */
+
+/* The sides of vertex v of a contact at motions m. */
+static int sides_of(const both *b, const sp__view *k, int32_t v, const sp_real *const m[3], side s[2])
+{
+    const sp__system *w = b->w[0];
+    const int n = b->o->mode == SP__PLANE ? 2 : 1;
+    const sp_real S = w->inner->force_scale * sp__system_scale(w, k->c) / (sp_real)n, mu = sp__system_mu(w, k->c);
+    for (int i = 0; i < n; i++) {
+        s[i].e[0] = S;
+        s[i].e[1] = n == 1 ? 0 : i ? -S * mu / k->g[5] : S * mu / k->g[4];
+        s[i].x = w->inner->x[(size_t)n * (size_t)v + (size_t)i];
+        for (int q = 0; q < 3; q++) {
+            sp_real X[3], u[3], lever[2];
+            sp__reduction_motion(w, k->t, k->g, m[q], X);
+            sp__wedge_levers(w, k->g, b->pb[0].local[v], lever);
+            sp__wedge_rates(w, lever, X, u);
+            s[i].u[q] = s[i].e[0] * u[0] + s[i].e[1] * u[1];
+        }
+        s[i].n = n;
+        s[i].z = w->inner->theta / (sp_real)n - s[i].u[0];
+    }
+    return n;
+}
+
+/* x between a half and 3 halves, y so small that no z is below a half of theta; the step in d. */
+static void begin_inside(both *b)
+{
+    sp__system *w = b->w[0];
+    sp__ipm *m = w->inner;
+    memset(m, 0, sizeof *m);
+    m->x = w->x;
+    m->theta = R(0.7);
+    m->force_scale = R(0.3);
+    for (size_t q = 0; q < 2 * (size_t)b->pb[0].points; q++) m->x[q] = test_random_real(0.5, 1.5);
+    const sp_real *const still[3] = { b->y[0], b->y[0], b->y[0] };
+    for (int more = 1; more; ) {
+        more = 0;
+        for (int32_t c = 0; c < b->pb[0].contacts; c++) {
+            const sp__view k = sp__view_of(w, c);
+            for (int32_t v = k.t->point; v < k.t->point + k.t->points; v++) {
+                side s[2];
+                const int n = sp__system_multiplicity(w, v) > 0 ? sides_of(b, &k, v, still, s) : 0;
+                for (int i = 0; i < n; i++) more |= s[i].z * (sp_real)n < m->theta / 2 || s[i].z > m->theta;
+            }
+        }
+        for (size_t q = 0; q < b->n && more; q++) b->y[0][q] /= 2;
+    }
+}
+
+/* out = Aeq sum a_k e_k, a_k = what(side, m) */
+static void gather_sides(const both *b, const sp_real *const m[3], sp_real (*what)(const side *, const sp__ipm *), sp_real *out)
+{
+    const sp__system *w = b->w[0];
+    memset(out, 0, b->n * sizeof *out);
+    for (int32_t c = 0; c < b->pb[0].contacts; c++) {
+        const sp__view k = sp__view_of(w, c);
+        for (int32_t v = k.t->point; v < k.t->point + k.t->points; v++) {
+            side s[2];
+            sp_real f[2] = { 0, 0 }, Y[3] = { 0, 0, 0 }, lever[2];
+            const sp_real times = sp__system_multiplicity(w, v);
+            const int n = times > 0 ? sides_of(b, &k, v, m, s) : 0;
+            for (int i = 0; i < n; i++) for (int q = 0; q < 2; q++) f[q] += times * what(&s[i], w->inner) * s[i].e[q];
+            if (!n) continue;
+            sp__wedge_levers(w, k.g, b->pb[0].local[v], lever);
+            sp__wedge_gather(w, lever, f, Y);
+            sp__reduction_gather(w, k.t, k.g, Y, out);
+        }
+    }
+}
+
+static sp_real potential(const side *s, const sp__ipm *m) { (void)m; return R(-(double)s->x * log((double)s->z)); }
+/* -(1 - sigma) x - dx, dx = h - x / z dz, h = -x, dz = -(1 - sigma) theta / n; corrected: h = -x + (sigma mu / n - dx dz) / z of
+ * the predictor dz = -theta / n - u1, dx = -x - x / z dz. */
+static sp_real aim(const side *s, const sp__ipm *m)
+{
+    const sp_real keep = 1 - m->sigma, theta = m->theta / (sp_real)s->n;
+    const sp_real dz = -theta - s->u[1], dx = -s->x - s->x / s->z * dz;
+    const sp_real h = m->corrected ? -s->x + (m->sigma * m->mu / (sp_real)s->n - dx * dz) / s->z : -s->x;
+    return -(keep * s->x + h + s->x / s->z * keep * theta);
+}
+
+/* The matrix is the derivative of Aeq sum -x_k log z_k e_k. */
+TEST(interior_matrix_in_3_rows_is_the_derivative_of_forces_along_sides)
+{
+    for (int k = 0; k < SCENES; k++) {
+        const sp_arena mark = test_arena;
+        both b;
+        if (scene_of[k].strong) continue;
+        NEED(begin(&b, k, SP__EXACT));
+        begin_inside(&b);
+        sp__system_factor(b.w[0], SP__INTERIOR, b.y[0], SP__IPM_SHIFT);
+        CHECK(!b.w[0]->inner->outside && b.w[0]->inner->gap > 0);
+        sp__system_solve(b.w[0], b.d[0], b.x[0]);
+        const sp_real h = R(TOL(1e-4, 1e-2)) / sp__max(1, SP_SQRT(sp__dot(b.x[0], b.x[0], b.n)));
+        sp_real *at = b.x[1];
+        for (int side_of = 0; side_of < 2; side_of++) {
+            const sp_real *const m[3] = { at, at, at };
+            for (size_t q = 0; q < b.n; q++) at[q] = b.y[0][q] + (side_of ? -h : h) * b.x[0][q];
+            gather_sides(&b, m, potential, b.r[side_of]);
+        }
+        for (size_t q = 0; q < b.n; q++) b.r[0][q] = (b.r[0][q] - b.r[1][q]) / (2 * h);
+        same_numbers(b.r[0], b.d[0], b.n, TOL(1e-5, 5e-2));
+        test_arena.used = mark.used;
+    }
+}
+
+/* Right-hand sides, the longest step and the step itself. */
+TEST(interior_passes_in_3_rows_are_sums_over_sides)
+{
+    for (int k = 0; k < SCENES; k++) {
+        const sp_arena mark = test_arena;
+        both b;
+        if (scene_of[k].strong) continue;
+        NEED(begin(&b, k, SP__EXACT));
+        begin_inside(&b);
+        sp__system *w = b.w[0];
+        sp__ipm *m = w->inner;
+        const sp_real *const along[3] = { b.y[0], b.d[0], b.d[0] };
+        for (int q = 0; q < 3; q++) m->along[q] = along[q];
+        sp_real longest = 1000, most = 0;
+        for (int corrected = 0; corrected < 2; corrected++) {
+            m->corrected = corrected;
+            m->sigma = corrected ? R(0.3) : 0;
+            m->mu = R(0.2);
+            sp__ipm_sweep(w, m, SP__AIM, b.r[0]);
+            gather_sides(&b, along, aim, b.r[1]);
+            same_numbers(b.r[0], b.r[1], b.n, TOL(1e-12, 1e-4));
+        }
+        m->reach = longest;
+        sp__ipm_sweep(w, m, SP__REACH, NULL);
+        for (int pass = 0; pass < 2; pass++) {          /* the step by hand, then that of the library */
+            for (int32_t c = 0; c < b.pb[0].contacts; c++) {
+                const sp__view view = sp__view_of(w, c);
+                for (int32_t v = view.t->point; v < view.t->point + view.t->points; v++) {
+                    side s[2];
+                    const int n = sp__system_multiplicity(w, v) > 0 ? sides_of(&b, &view, v, along, s) : 0;
+                    for (int i = 0; i < n; i++) {
+                        const sp_real dz = -(1 - m->sigma) * m->theta / (sp_real)n - s[i].u[2];
+                        const sp_real rest = -aim(&s[i], m) - (1 - m->sigma) * s[i].x;  /* dx at no step */
+                        const sp_real dx = rest + s[i].x / s[i].z * s[i].u[2];
+                        if (-dx * longest > s[i].x) longest = s[i].x / -dx;
+                        if (-dz * longest > s[i].z) longest = s[i].z / -dz;
+                        most = sp__max(most, sp__abs(dx));
+                        b.f[pass][n * v + i] = pass ? s[i].x : s[i].x + R(0.5) * m->reach * dx;
+                    }
+                    for (int i = 0; i < n && pass; i++) CHECK_NEAR(b.f[1][n * v + i], b.f[0][n * v + i], TOL(1e-11, 1e-3));
+                }
+            }
+            if (pass) break;
+            CHECK_WITHIN(m->reach, (double)longest, TOL(1e-11, 1e-3) * (double)longest);
+            m->reach *= R(0.5);
+            sp__ipm_sweep(w, m, SP__MOVE, NULL);
+            m->reach *= 2;
+        }
+        CHECK(most > 0);
+        test_arena.used = mark.used;
+    }
+}
+#endif
+
 TEST_LIST(map)
     RUN_FULL(gradient_and_forces_in_3_rows_are_those_in_6)
     RUN_FULL(slope_and_work_in_3_rows_are_those_in_6)
@@ -351,4 +516,8 @@ TEST_LIST(map)
     RUN_FULL(Hessian_in_3_rows_is_that_in_6)
     RUN_FULL(factor_inverts_differences_of_the_gradient)
     RUN_FULL(product_with_the_Hessian_in_3_rows_is_that_in_6)
+#if SP__WITH_INTERIOR
+    RUN_FULL(interior_matrix_in_3_rows_is_the_derivative_of_forces_along_sides)
+    RUN_FULL(interior_passes_in_3_rows_are_sums_over_sides)
+#endif
 TEST_END
