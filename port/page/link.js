@@ -1,4 +1,4 @@
-/* link: all that is asked, in the part of an address behind #: deflated JSON, letters that an address may hold. */
+/* link: all that is asked, in the part of an address behind #: JSON, deflated, with a checksum, letters that an address may hold. */
 
 /* Bytes through a stream that packs or unpacks. */
 export async function through(bytes, stream) {
@@ -29,7 +29,7 @@ function stateOf(s) {
 }
 /* A packed stream, as far as LARGEST. */
 async function unpacked(bytes) {
-  const from = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw')).getReader(), parts = [];
+  const from = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate')).getReader(), parts = [];
   for (let size = 0, part; !(part = await from.read()).done;) {
     parts.push(part.value);
     if ((size += part.value.length) > LARGEST) { await from.cancel(); throw new Error('too large'); }
@@ -41,7 +41,7 @@ async function unpacked(bytes) {
 export async function toLink(state) {
   const { text, ...rest } = state, model = letters(text);
   const json = new TextEncoder().encode(JSON.stringify({ ...rest, model }));
-  const packed = await through(json, new CompressionStream('deflate-raw'));
+  const packed = await through(json, new CompressionStream('deflate'));
   return letters(packed).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 }
 export async function fromLink(hash) {

@@ -40,6 +40,7 @@ FILES_API const char *files_remark(const files_scene *f, int32_t k);       /* NU
 /* Where its joints were found, not given: 1, how, and the blocks inside each other; else 0. */
 FILES_API int files_found(const files_scene *f, sp_contact_settings *how, int32_t *overlaps, const sp_overlap **overlap);
 FILES_API double files_mu(const files_scene *f);
+FILES_API double files_density(const files_scene *f);
 FILES_API void files_free(files_scene *f);
 
 /* Write a scene as a file that reads back as the same; draw one with the result of a check, of a limit as well (else NULL).
@@ -104,6 +105,7 @@ const char *files_error(const files_scene *f) { return f->error.line; }
 const sp_scene *files_parts(const files_scene *f) { return &f->scene.scene; }
 const char *files_name(const files_scene *f, int32_t block) { return f->scene.name[block]; }
 double files_mu(const files_scene *f) { return (double)f->scene.mu; }
+double files_density(const files_scene *f) { return (double)f->scene.density; }
 
 int files_found(const files_scene *f, sp_contact_settings *how, int32_t *overlaps, const sp_overlap **overlap)
 {

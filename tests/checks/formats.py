@@ -23,6 +23,9 @@ def box(x, y, z):
     return [(x[k & 1], y[k >> 1 & 1], z[k >> 2]) for k in range(8)]
 
 
+BOX_CORNERS = box((0, 1), (0, 1), (0, 1))
+
+
 def ends(name, why):
     tally["failed" if why else "passed"] += 1
     if why:
@@ -180,6 +183,68 @@ def fbx(parts, up, factor):
             % (up, factor, objects, links))
 
 
+def upright(parts):
+    """The same with y up."""
+    return [[(x, z, -y) for x, y, z in c] for c in parts]
+
+
+def x3d(parts):
+    shapes = "".join("<Shape DEF='part%d'><IndexedFaceSet coordIndex='%s'><Coordinate point='%s'/></IndexedFaceSet></Shape>" % (
+        k, " ".join("%d %d %d %d -1" % f for f in BOX), ", ".join("%.9g %.9g %.9g" % p for p in c)) for k, c in enumerate(parts))
+    return "<?xml version='1.0'?><X3D version='3.3'><Scene>%s</Scene></X3D>" % shapes
+
+
+def studio(parts):
+    """3DS, z up: chunks of a mesh in an object in an editor."""
+    chunk = lambda kind, data: struct.pack("<HI", kind, 6 + len(data)) + data
+    objects = b""
+    for k, c in enumerate(parts):
+        faces = triangles([BOX_CORNERS])
+        at = {p: i for i, p in enumerate(BOX_CORNERS)}
+        mesh = chunk(0x4110, struct.pack("<H", 8) + b"".join(struct.pack("<3f", *p) for p in c))
+        mesh += chunk(0x4120, struct.pack("<H", len(faces)) + b"".join(struct.pack("<4H", *[at[p] for p in f], 0) for f in faces))
+        objects += chunk(0x4000, b"part%d\0" % k + chunk(0x4100, mesh))
+    return chunk(0x4d4d, chunk(0x3d3d, objects))
+
+
+def dae(parts):
+    """Nodes with an id of their own beside their name, z up."""
+    shapes = "".join("<geometry id='g%d'><mesh><source id='p%d'><float_array id='a%d' count='24'>%s</float_array><technique_common>"
+                     "<accessor source='#a%d' count='8' stride='3'><param name='X' type='float'/><param name='Y' type='float'/>"
+                     "<param name='Z' type='float'/></accessor></technique_common></source><vertices id='v%d'><input "
+                     "semantic='POSITION' source='#p%d'/></vertices><polylist count='6'><input semantic='VERTEX' source='#v%d' "
+                     "offset='0'/><vcount>4 4 4 4 4 4</vcount><p>%s</p></polylist></mesh></geometry>" % (
+                         k, k, k, " ".join("%.9g" % x for p in c for x in p), k, k, k, k, " ".join("%d" % v for f in BOX for v in f))
+                     for k, c in enumerate(parts))
+    nodes = "".join("<node id='n-%d' name='part%d'><instance_geometry url='#g%d'/></node>" % (k, k, k) for k in range(len(parts)))
+    return ("<?xml version='1.0'?><COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' version='1.4.1'><asset>"
+            "<unit meter='1'/><up_axis>Z_UP</up_axis></asset><library_geometries>%s</library_geometries><library_visual_scenes>"
+            "<visual_scene id='s'>%s</visual_scene></library_visual_scenes><scene><instance_visual_scene url='#s'/></scene>"
+            "</COLLADA>" % (shapes, nodes))
+
+
+def amf(parts):
+    text = ""
+    for k, c in enumerate(parts):
+        text += "<object id='%d'><mesh><vertices>" % k
+        text += "".join("<vertex><coordinates><x>%.9g</x><y>%.9g</y><z>%.9g</z></coordinates></vertex>" % p for p in c)
+        text += "</vertices><volume>" + "".join("<triangle><v1>%d</v1><v2>%d</v2><v3>%d</v3></triangle>" % (f[0], f[i], f[i + 1])
+                                                 for f in BOX for i in (1, 2)) + "</volume></mesh></object>"
+    return "<?xml version='1.0'?><amf>%s</amf>" % text
+
+
+def axes():
+    """Which way is up, names, units, digits: as the form has them, or told."""
+    feet = ("--fixed", "lowest")
+    sound("door.x3d", x3d(upright(PARTS)), "STABLE", "--split", *feet, joints=2, remark="y up")
+    sound("door.3ds", studio(PARTS), "STABLE", *feet, joints=2)
+    sound("door.dae", dae(PARTS), "STABLE", "--fixed", "part0,part1", joints=2)
+    sound("door.amf", amf(PARTS), "STABLE", *feet, joints=2, remark="are millimetres in most such files")
+    away = [[(x + 4e6, y, z) for x, y, z in c] for c in PARTS]
+    sound("far.ply", ply(away).replace("float", "double"), "", *feet, "--split", remark="such files are read to 24 bits")
+    sound("far.obj", obj([("part%d" % k, c, BOX) for k, c in enumerate(away)]), "STABLE", "--fixed", "part0,part1", joints=2)
+
+
 def units():
     """FBX tells unit and axis up: the same forces whatever they are."""
     write("si.obj", obj([("part%d" % k, c, BOX) for k, c in enumerate(PARTS)]))
@@ -231,6 +296,7 @@ def main():
         if has_importer():
             meshes()
             units()
+            axes()
         os.chdir("/")
     total()
 

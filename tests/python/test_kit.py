@@ -123,8 +123,30 @@ class Assertions(unittest.TestCase):
         self.assertTrue(wall.part(["ground", "c2b1"]).check().unstable)
 
 
+    def test_what_is_held_let_go_in_what_the_failure_told(self):
+        s = stonepack.Scene(mu=0.6)
+        s.box((2, 2, 0.2), (0, 0, -0.1), name="ground", fixed=True)
+        s.box((0.4, 0.4, 0.4), (1.1, 0, 0.2), name="prop")          # falls unless it is held
+        s.box((0.4, 0.4, 0.4), (-0.5, 0, 0.2), name="a")
+        s.box((0.4, 0.4, 0.4), (-0.25, 0, 0.6), name="b")
+        with self.assertRaises(AssertionError) as told:
+            assert_build_order(s, ["prop", "a", "b"], held=["prop"])
+        self.assertNotIn("'prop' first", str(told.exception))
+        self.assertIn("'b' falls", str(told.exception))
+
+
 @unittest.skipUnless(hypothesis, "no Hypothesis, no pytest")
 class Strategies(unittest.TestCase):
+    def test_a_stack_went_beyond_its_largest_offset(self):
+        def inside(scene):
+            for below, block in zip(scene.blocks, scene.blocks[1:]):
+                shapes = [scene.mesh(b.name)[0] for b in (below, block)]
+                for k in (0, 1):
+                    least = min(max(p[k] for p in shape) - min(p[k] for p in shape) for shape in shapes)
+                    self.assertLessEqual(abs(block.centroid[k] - below.centroid[k]), 0.5 * least + 1e-12)
+        self.each(stones.stacks(max_offset=0.5), inside, 100)
+        self.each(stones.lengths(0.0504, 0.06), lambda x: self.assertGreaterEqual(x, 0.0504), 20)
+
     def each(self, strategy, claim, examples=40):
         @hypothesis.settings(database=None, deadline=None, max_examples=examples, derandomize=True,
                              suppress_health_check=list(hypothesis.HealthCheck))

@@ -340,6 +340,149 @@ class Verdicts(unittest.TestCase):
             s.check(tolerance=1)
 
 
+class WasWrong(unittest.TestCase):
+    """Named after what was wrong."""
+
+    def refused(self, call):
+        with self.assertRaises(stonepack.SceneError):
+            call()
+
+    def test_a_refused_search_of_contacts_took_the_joints_that_were_there(self):
+        s = overhang(0.5)
+        before, forces = s.joints, list(s.check().forces)
+        for wrong in (dict(distance=-1), dict(angle=math.nan), dict(mu=-1)):
+            self.refused(lambda: s.find_contacts(**wrong))
+            self.assertEqual((s.joints, list(s.check().forces)), (before, forces))
+        s.joint("table", "stone", [(0.5, 0, 0), (1, 0, 0), (1, 1, 0), (0.5, 1, 0)])
+        self.refused(lambda: s.find_contacts(distance=-1))
+        self.assertEqual(s.joints[0].area, 0.5)
+        self.assertTrue(s.check().unstable)
+
+    def test_a_refused_joint_wrote_over_those_that_were_found(self):
+        s = overhang(0.5)
+        before, forces = s.joints, list(s.check().forces)
+        for corners in ([(0, 0, 0), (1, 0, 0), (1, 1, .5), (0, 1, 0)], [(0, 0, 0), (1, 0, math.nan), (1, 1, 0)], [(0, 0, 0)] * 4):
+            self.refused(lambda: s.joint("table", "stone", corners))
+            self.assertEqual((s.joints, list(s.check().forces)), (before, forces))
+        self.refused(lambda: s.points("table", "stone", (0, 0, 0), [(0, 0, 0)]))
+        self.assertEqual(s.joints, before)
+
+    def test_a_part_forgot_the_live_acceleration(self):
+        s = overhang(0.5)
+        s.live_acceleration = 8, 0, 0
+        self.assertTrue(s.check().unstable)
+        self.assertTrue(s.part(s.names).check().unstable)
+
+    def test_a_file_lost_how_often_live_loads_count(self):
+        s = overhang(0)
+        s.load("stone", (2e5, 0, 0), live=True)
+        s.to_obj()
+        s.live = 0.0
+        with self.assertRaisesRegex(stonepack.StonepackError, "no word for live loads that count 0 times"):
+            s.to_obj()
+        s = overhang(0)
+        s.live_acceleration = 8, 0, 0
+        with self.assertRaisesRegex(stonepack.StonepackError, "live acceleration"):
+            s.to_obj()
+
+    def test_two_threads_in_one_build_order(self):
+        s = scenes.wall(6, 6)
+        order, wrong = s.building(), []
+
+        def work(names):
+            for name in names * 5:
+                try:
+                    order.add(name)
+                    order.must_hold()
+                    order.suggest()
+                    order.remove(name)
+                except stonepack.SceneError:
+                    pass
+                except Exception as other:
+                    wrong.append(other)
+        names = s.names[1:]
+        threads = [threading.Thread(target=work, args=(names[k::3],)) for k in range(3)]
+        for t in threads:
+            t.start()
+        for t in threads:
+            t.join()
+        self.assertEqual(wrong, [])
+
+    def test_a_build_order_began_while_the_scene_changed(self):
+        s, stop = scenes.wall(12, 12), time.time() + 1
+
+        def repeat(call):
+            while time.time() < stop:
+                try:
+                    call()
+                except stonepack.SceneError:
+                    pass
+        calls = [s.building, s.building, lambda: s.load("c1b1", (0, 0, -1))]
+        threads = [threading.Thread(target=repeat, args=(call,)) for call in calls]
+        for t in threads:
+            t.start()
+        for t in threads:
+            t.join()
+        self.assertTrue(s.check().stable)
+
+    def test_lists_of_different_length_lost_stones(self):
+        for make in (lambda: scenes.stack([(1, 1, 1)] * 3, [(0, 0)]), lambda: scenes.stack([], []),
+                     lambda: scenes.stack([(1, 1, 1)] * 2, [(0, 0)] * 2, densities=[1]), lambda: scenes.rubble([[], []], [0.2])):
+            self.refused(make)
+
+    def test_eps_without_coupled_was_ignored(self):
+        self.refused(lambda: overhang(0).check(eps=1e-4))
+        self.refused(lambda: overhang(0).check(eta=5))
+        self.assertEqual(overhang(0).check(coupled=True, eps=1e-4).level, "coupled")
+
+    def test_friction_set_after_joints_were_found_changed_none(self):
+        s = overhang(0)
+        s.gravity = 3, 0, -9.8
+        self.assertTrue(s.check().stable)
+        s.mu = 0.05
+        self.assertEqual((s.joints[0].mu, s.check().verdict), (0.05, "unstable"))
+        with self.assertRaises(stonepack.SceneError):
+            s.mu = -1
+        s.find_contacts(mu=0.3)                         # of their own
+        s.mu = 0.7
+        self.assertEqual(s.joints[0].mu, 0.3)
+
+    def test_contacts_sought_otherwise_are_no_longer_the_recipe(self):
+        s = scenes.stack([(1, 1, 1)], [(0.1, 0)])
+        self.assertIn("stack(", repr(s))
+        s.find_contacts(mu=0.01)
+        self.assertNotIn("stack(", repr(s))
+
+    def test_more_than_64_supports_were_not_understood(self):
+        text = "".join(stonepack.parse(overhang(0).to_obj()).to_obj().split("#@ interface")[0])
+        s = stonepack.Scene()
+        for k in range(70):
+            s.box((0.5, 0.5, 0.5), (k, 0, 0), name="p%d" % k)
+        t = stonepack.parse(s.to_obj(), fixed=["p%d" % k for k in range(70)])
+        self.assertTrue(all(b.fixed for b in t.blocks))
+        self.assertTrue(stonepack.parse(text, fixed="table").check().stable)
+
+    def test_names_that_no_file_gives_back(self):
+        for name in ('#1', '"q', "a\\"):
+            self.refused(lambda: stonepack.Scene().box((1, 1, 1), name=name))
+
+    def test_words_where_yes_or_no_was_meant(self):
+        s = overhang(0)
+        s.load("stone", (1e6, 0, 0), live=0.5)          # it is live
+        s.live = 0.0
+        self.assertTrue(s.check().stable)
+        for call in (lambda: s.add([], TETRAHEDRON[1]), lambda: s.add(TETRAHEDRON[0][:0], TETRAHEDRON[1])):
+            self.refused(call)
+        if numpy:
+            self.refused(lambda: s.add(numpy.zeros((0, 3)), TETRAHEDRON[1]))
+
+    def test_the_density_of_a_file_was_forgotten(self):
+        s = stonepack.parse(overhang(0).to_obj().replace("#@ density 2400", "#@ density 1000"))
+        self.assertEqual(s.density, 1000)
+        s.box((1, 1, 1), (0, 0, 9), name="late")
+        self.assertEqual(s.blocks[2].mass, 1000)
+
+
 class Building(unittest.TestCase):
     def test_whatever_has_vertices_and_faces_is_a_block(self):
         class Attributes:

@@ -167,7 +167,9 @@ static void import(const char *path, int pipe_end)
     if (!out) _exit(2);
     dup2(null, 1);
     dup2(null, 2);
-    const struct aiScene *scene = aiImportFile(path, 0);
+    struct aiPropertyStore *names = aiCreatePropertyStore();
+    if (names) aiSetImportPropertyInteger(names, "IMPORT_COLLADA_USE_COLLADA_NAMES", 1);       /* not their ids */
+    const struct aiScene *scene = aiImportFileExWithProperties(path, 0, NULL, names);
     writer w = { out, 0, 0, 1 };
     if (!scene || !scene->mRootNode) {
         const char *why = aiGetErrorString();
@@ -231,7 +233,7 @@ static int run_importer(const char *path, char **text, size_t *length, failure *
 /* What the form says of axes and lengths. */
 static void set_axes(const char *path, const amendments *asked, obj_file *f, remarks *told)
 {
-    static const char *const y_up[] = { "gltf", "glb", "dae", NULL };
+    static const char *const y_up[] = { "gltf", "glb", "dae", "x3d", "3ds", "dxf", NULL };     /* Assimp turns 3ds, dxf so */
     const sp_real y[3] = { 0, 1, 0 };
     const int up = asked->turn || asked->pull, unit = asked->unit.over != 0;
     if (is_one_of(ending(path), y_up)) {
@@ -241,9 +243,34 @@ static void set_axes(const char *path, const amendments *asked, obj_file *f, rem
     } else if (strcasecmp(ending(path), "fbx") == 0) {
         if (!up || !unit)
             remarks_add(told, "--unit UNIT, --up AXIS", "read in the unit and with the axis up that the file tells; otherwise");
-    } else if (strcasecmp(ending(path), "3mf") == 0 && !f->unit.over && !unit) {
+    } else if ((strcasecmp(ending(path), "3mf") == 0 || strcasecmp(ending(path), "amf") == 0) && !f->unit.over && !unit) {
         remarks_add(told, "--unit mm", "lengths were taken for metres, and are millimetres in most such files");
     }
+}
+
+/* Importers keep 24 bits of a number: far from the origin stones change their shape. */
+static void tell_rounding(const obj_file *f, remarks *told)
+{
+    double farthest = 0, least = 1e300;
+    for (int32_t b = 0; b < f->blocks; b++) {
+        const int32_t end = b + 1 < f->blocks ? f->block[b + 1].face : f->faces;
+        sp_real low[3] = { 1e30, 1e30, 1e30 }, high[3] = { -1e30, -1e30, -1e30 };
+        double size = 0;
+        for (int32_t i = f->block[b].face; i < end; i++)
+            for (int32_t k = 0; k < f->face[i].corners; k++) {
+                const sp_real *x = f->vertex[f->corner[f->face[i].corner + k]];
+                for (int c = 0; c < 3; c++) {
+                    if (x[c] < low[c]) low[c] = x[c];
+                    if (x[c] > high[c]) high[c] = x[c];
+                    farthest = fmax(farthest, fabs((double)x[c]));
+                }
+            }
+        for (int c = 0; c < 3; c++) size = fmax(size, (double)(high[c] - low[c]));
+        if (size > 0 && size < least) least = size;
+    }
+    if (least < 1e300 && farthest * 0x1p-24 > 1e-4 * least)
+        remarks_add(told, NULL, "such files are read to 24 bits: so far from the origin corners are off by up to %.1g %% of a "
+                    "stone; move the model to the origin, or export OBJ", 100 * farthest * 0x1p-24 / least);
 }
 
 /* Of a PLY file cut in its header Assimp reads the last line again and again until its time is up. */
@@ -277,6 +304,7 @@ int meshes_read(const char *path, const amendments *asked, obj_file *file, remar
     file->lines = 0;
     file->numbered = 1;
     set_axes(path, asked, file, told);
+    tell_rounding(file, told);
     return solids_tidy(file) ? 0 : fail_with(error, EXIT_MEMORY, path, 0, "out of memory while reading");
 }
 

@@ -1,6 +1,8 @@
 #include "obj_write.h"
 #include "text.h"
 
+#include <string.h>
+
 static void write_triple(FILE *out, const char *before, const sp_real x[3])
 {
     char text[32];
@@ -92,13 +94,25 @@ static void write_load(FILE *out, const sp_load *load, const char *const *name)
 
 static int is_same(sp_real a, sp_real b) { return !(a < b) && !(a > b); }
 
+/* A name that a line would not give back: a comment, a quotation, one that goes on in the next line. */
+static int is_lost(const char *name)
+{
+    const size_t n = strlen(name);
+    return n == 0 || name[0] == '#' || name[0] == '"' || name[n - 1] == '\\';
+}
+
 int obj_write(FILE *out, const sp_scene *s, const char *const *name, const char *path, failure *error)
 {
     sp_real density = 0;                        /* of all blocks that have one */
     int one_density = 1, one_mu = s->count.joints > 0;
 
+    if (s->live < 1 || s->live > 1 || !is_zero(s->body))
+        return fail_with(error, EXIT_SCENE, path, 0, "a scene file has no word for live loads that count %g times, nor for "
+                         "a live acceleration", (double)s->live);
     for (int32_t b = 0; b < s->count.blocks; b++) {
         const sp_block *block = &s->block[b];
+        if (name && is_lost(name[b]))
+            return fail_with(error, EXIT_SCENE, path, 0, "block '%.200s': a scene file can't hold this name", name[b]);
         if (block->faces == 0 && block->fixed != SP_FIXED)
             return fail_with(error, EXIT_SCENE, path, 0, "block %ld has no mesh, which a scene file can't say", (long)b);
         if (!(density > 0)) density = block->density;

@@ -350,6 +350,7 @@ static int from_file(const obj_file *f, mesh_room *m, const scene_settings *set,
 
     if (!status) status = keep_lines(f, given, s, error);
     s->mu = mu >= 0 ? mu : f->mu;
+    s->density = f->density;
     if (status) return status;
     if (!make_room(f, m) || !count_meshes(f, &cap, m)) return out_of_memory(f, error);
     if (given) {

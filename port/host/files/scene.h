@@ -14,6 +14,7 @@ typedef struct host_scene {
     const char **name;          /* of each block; they lie in names */
     char *names;
     sp_real mu;                 /* friction of the scene, for contacts without one of their own */
+    sp_real density;            /* of blocks without one of their own */
     int found;                  /* the contacts were found, not given */
     touching touching;          /* how near faces are that touch, as options and file tell it; of contacts found */
     sp_strength strength;       /* of contacts found */

@@ -43,18 +43,17 @@ def _held(fixed: Fixed) -> int:
 class Assembly:
     """A scene without its questions: see Scene."""
 
-    __slots__ = dict.fromkeys(("_c", "_memory", "_names", "_index", "_version", "_given", "_found", "_overlaps", "_needs", "_lock",
+    __slots__ = dict.fromkeys(("_mu", "_c", "_memory", "_names", "_index", "_version", "_given", "_found", "_overlaps", "_needs", "_lock",
                                "_turns", "__weakref__"), "")    # and no others: `scene.gravty = ...` is a mistake
     __slots__.update(
-        mu="Friction of joints that have none of their own, and of those that are found.",
         density="Of blocks that have none of their own [kg/m^3].",
         remarks="What of the file it was read from looks mistaken.",
         recipe="The call of stonepack.scenes that made it; None: something else did.")
 
     def __init__(self, *, mu: float = 0.84, density: float = 2400.0, gravity: Vector = GRAVITY):
-        self.mu, self.density = number(mu, "mu"), number(density, "density")
-        if not (0 <= self.mu < math.inf and 0 < self.density < math.inf):
-            raise SceneError("mu is 0 or more, density more, both finite; not %g, %g" % (self.mu, self.density))
+        self._mu, self.density = number(mu, "mu"), number(density, "density")
+        if not (0 <= self._mu < math.inf and 0 < self.density < math.inf):
+            raise SceneError("mu is 0 or more, density more, both finite; not %g, %g" % (self._mu, self.density))
         self.remarks: List[str] = []                # of the file it was read from
         self.recipe: Optional[str] = None           # the call that made it, by stonepack.scenes
         self._c = c.sp_scene()
@@ -163,6 +162,8 @@ class Assembly:
             raise SceneError("a name of a block is empty")
         if "\0" in label or any("\ud800" <= letter <= "\udfff" for letter in label):
             raise SceneError("block %r: no file can hold this name" % label, 0, label)
+        if label[0] in "#\"" or label[-1] == "\\":            # a comment, a line that goes on
+            raise SceneError("block %r: no file can hold this name" % label, 0, label)
         if label in self._index:
             raise SceneError("block '%s': there is one of this name" % label, 0, label)
         return label
@@ -240,16 +241,31 @@ class Assembly:
     def _label_of(self, block: Name) -> str:
         return self._names[self.number(block)]
 
+    def _joints_kept(self) -> Any:
+        """Joints as they are, for a call that is refused: it may have written over them."""
+        s = self._c
+        return (self._given, self._found, s.count.joints, s.count.points,
+                bytes(ctypes.string_at(s.joint, s.count.joints * ctypes.sizeof(c.sp_joint))) if s.count.joints else b"",
+                bytes(ctypes.string_at(s.point, 24 * s.count.points)) if s.count.points else b"")
+
+    def _joints_again(self, kept: Any) -> None:
+        s = self._c
+        self._given, self._found, s.count.joints, s.count.points, joint, point = kept
+        ctypes.memmove(s.joint, joint, len(joint))
+        ctypes.memmove(s.point, point, len(point))
+
     def _append(self, points: int, what: str, block: str, call: Callable[[], int]) -> int:
         """One more joint. From the first that is given on, those that were found are gone."""
         self._room(joints=1, points=points)
-        count = self._c.count
+        count, kept = self._c.count, self._joints_kept() if not self._given else None
         before = count.joints, count.points
         if not self._given:
             count.joints = count.points = 0
         status = call()
         if status:
             count.joints, count.points = before
+            if kept:
+                self._joints_again(kept)
             raise refuse(status, what, block)
         self._given, self._found = True, None
         self._touched()
@@ -275,8 +291,14 @@ class Assembly:
         if angle is not None:
             s.angle = number(angle, "angle")
         s.strength = self._strength(mu, cohesion, tension, crushing)
+        kept = self._joints_kept()
         self._given = False
-        self._find(s)
+        try:
+            self._find(s)
+        except StonepackError:
+            self._joints_again(kept)
+            raise
+        self.recipe = None                              # it finds them otherwise
         return self.overlaps
 
     @changes
@@ -344,7 +366,7 @@ class Assembly:
         status = lib.sp_scene_friction(byref(self._c), number(mu, "friction"))
         if status:
             raise refuse(status, "friction")
-        self.mu = mu
+        self._mu = number(mu, "friction")
         self._numbers_changed()
         if self._found:
             self._found[1].strength.mu = mu
@@ -357,6 +379,22 @@ class Assembly:
         if found:
             self._found = (self._version, self._found[1])
 
+    @property
+    def mu(self) -> float:
+        """Friction of joints that have none of their own, and of those that are found."""
+        return self._mu
+
+    @mu.setter
+    @changes
+    def mu(self, mu: float) -> None:
+        new = number(mu, "mu")
+        if not 0 <= new < math.inf:
+            raise SceneError("mu is 0 or more, and finite; not %g" % new)
+        if self._found and self._found[1].strength.mu == self._mu != new:
+            self._found[1].strength.mu = new            # to be found anew
+            self._touched()
+        self._mu = new
+
     # ------------------------------------------------------------------------------------------------------------- loads
 
     @changes
@@ -366,7 +404,7 @@ class Assembly:
         live: counts `live` times, and is what `limit` scales."""
         k, what = self.number(block), "load on '%s'" % self._label_of(block)
         point = self._c.block[k].centroid if at is None else triple(at, what)
-        each = c.sp_load(k, int(live), point, triple(force, what), triple(couple, what), number(mass, what))
+        each = c.sp_load(k, int(bool(live)), point, triple(force, what), triple(couple, what), number(mass, what))
         self._room(loads=1)
         status = lib.sp_scene_load(byref(self._c), byref(each), None)
         if status:
@@ -379,7 +417,7 @@ class Assembly:
         what = "pressure on '%s'" % self._label_of(block)
         self._room(loads=1)
         status = lib.sp_scene_pressure(byref(self._c), self.number(block), whole(face, what + ": face"),
-                                       number(pressure, what), int(live), None)
+                                       number(pressure, what), int(bool(live)), None)
         if status:
             raise refuse(status, what, self._label_of(block))
         self._numbers_changed()

@@ -49,6 +49,7 @@ _FILES_CALLS = {
     "files_parts": (ctypes.POINTER(c.sp_scene), [_P]), "files_remark": (_S, [_P, ctypes.c_int32]),
     "files_found": (_I, [_P, ctypes.POINTER(c.sp_contact_settings), ctypes.POINTER(ctypes.c_int32),
                          ctypes.POINTER(ctypes.POINTER(c.sp_overlap))]), "files_mu": (ctypes.c_double, [_P]),
+    "files_density": (ctypes.c_double, [_P]),
     "files_write": (_I, [_S, ctypes.POINTER(c.sp_scene), ctypes.POINTER(_S), ctypes.c_char_p]),
     "files_draw": (_I, [_S, ctypes.POINTER(c.sp_scene), ctypes.POINTER(_S), _S, ctypes.POINTER(c.sp_result),
                         ctypes.POINTER(c.sp_limit_result), _I, ctypes.c_char_p]),

@@ -80,7 +80,7 @@ def rows(values: Any, what: str) -> Tuple[int, Any]:
     except TypeError:
         view = None
     if view is not None and view.format == "d" and view.ndim == 2 and view.c_contiguous \
-            and view.shape is not None and view.shape[1] == 3:
+            and view.shape is not None and view.shape[1] == 3 and view.shape[0]:
         count = view.shape[0]
         return count, (ctypes.c_double * (3 * count)).from_buffer_copy(view.cast("B"))
     try:

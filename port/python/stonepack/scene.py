@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import ctypes
 import os
+import threading
 from concurrent.futures import ThreadPoolExecutor
 from ctypes import byref
 from typing import Any, Dict, Iterable, List, NoReturn, Optional, Sequence, Tuple, Union
@@ -24,6 +25,8 @@ def _settings(tol: Optional[float] = None, coupled: bool = False, eps: Optional[
     """sp_settings of these words; None: the default ones."""
     if other:
         raise SceneError("no setting is called %s; help(stonepack.Scene.check) tells them" % ", ".join(other))
+    if not coupled and (eps is not None or eta is not None):
+        raise SceneError("eps, eta belong to coupled")
     if tol is None and not coupled and cone == "true" and not budget and not localise and iterations is None \
             and force_bound is None and not without:
         return None
@@ -220,7 +223,7 @@ class Scene(Assembly):
         result = self.check(**settings)
         still = self.check(**dict(settings, without=("friction",), localise=False))
         p = byref(result._settings) if result._settings is not None else None
-        out, how = c.sp_strong_result(), c.sp_strong_settings(256, int(corners))
+        out, how = c.sp_strong_result(), c.sp_strong_settings(256, int(bool(corners)))
         kept, a = arena(self._bytes(c.SP_FOR_STRONG, result._settings))
         status = lib.sp_strong(byref(self._c), p, byref(how), result._c.f, still._c.f if still.stable else None, byref(a), byref(out))
         if status:
@@ -307,6 +310,7 @@ class Scene(Assembly):
             elif a in number and b in number:
                 new.points(number[a], number[b], j.normal, j.points, mu=s.mu)
         new._given, new._c.live = True, old.live
+        new._c.body[:] = old.body[:]
         for k in range(old.count.loads):
             each = old.load[k]
             if each.block in number:
@@ -325,9 +329,14 @@ class BuildOrder:
     """A build order under way; the scene must stay as it is. In the beginning only supports are there."""
 
     def __init__(self, scene: Scene, **settings: Any):
-        scene._ready()
-        self._scene, self._version = scene, scene._version
+        self._scene, self._lock = scene, threading.RLock()
         self._settings = _settings(**settings) if settings else None
+        self._open()
+
+    @asks
+    def _open(self) -> None:
+        scene = self._scene
+        self._version = scene._version
         self._memory, a = arena(scene._bytes(c.SP_FOR_SEQUENCE, self._settings))
         self._c = ctypes.POINTER(c.sp_sequence)()
         status = lib.sp_sequence_open(byref(scene._c), byref(self._settings) if self._settings is not None else None, byref(a),
@@ -351,17 +360,19 @@ class BuildOrder:
     def must_hold(self, budget: int = 0) -> Held:
         """The smallest set of blocks to hold now; budget: flops after which the best so far is taken."""
         out, names = c.sp_held(), self._scene._names
-        status = lib.sp_sequence_hold(self._here(), whole(budget, "budget", 2 ** 63 - 1), byref(out))
-        if status:
-            raise refuse(status)
-        return Held([names[k] for k in out.block[0:out.count]], [bool(m) for m in out.must[0:out.count]],
-                    text(c.SP_WORDS_HELD_PROOF, out.proof), out.checks)
+        with self._lock:
+            status = lib.sp_sequence_hold(self._here(), whole(budget, "budget", 2 ** 63 - 1), byref(out))
+            if status:
+                raise refuse(status)
+            return Held([names[k] for k in out.block[0:out.count]], [bool(m) for m in out.must[0:out.count]],
+                        text(c.SP_WORDS_HELD_PROOF, out.proof), out.checks)
 
     @asks
     def suggest(self, *, add: bool = True, budget: int = 0) -> Optional[str]:
         """A next stone to lay (or to take away) after which everything stands; None: there is none."""
         out = c.sp_suggestion()
-        status = lib.sp_sequence_suggest(self._here(), int(add), whole(budget, "budget", 2 ** 63 - 1), byref(out))
+        with self._lock:
+            status = lib.sp_sequence_suggest(self._here(), int(bool(add)), whole(budget, "budget", 2 ** 63 - 1), byref(out))
         if status:
             raise refuse(status)
         return self._scene._names[out.block] if out.block >= 0 else None
@@ -376,6 +387,10 @@ class BuildOrder:
 
     @asks
     def _set(self, block: Name, presence: int, ask_hold: bool) -> Step:
+        with self._lock:                                # a step changes the build order, and its motion lies in it
+            return self._set_alone(block, presence, ask_hold)
+
+    def _set_alone(self, block: Name, presence: int, ask_hold: bool) -> Step:
         out, names, k = c.sp_step(), self._scene._names, self._scene.number(block)
         status = lib.sp_sequence_set(self._here(), k, presence, byref(out))
         if status:

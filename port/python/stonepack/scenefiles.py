@@ -17,7 +17,10 @@ Names = Union[str, Iterable[str]]
 
 def _options(fixed: Names, up: Optional[str], unit: Optional[str], gravity: Optional[Vector], contact_distance: Any,
              contact_angle: Optional[float], split: bool, mu: Optional[float]) -> list:
-    told = [("fixed", name) for name in several(fixed, "fixed") if name != ""]
+    names = [name for name in several(fixed, "fixed") if name != ""]
+    if all(isinstance(name, str) for name in names):    # one list: the reader takes 64 of them
+        names = [",".join(names)] if names else []
+    told = [("fixed", name) for name in names]
     told += [(k, v) for k, v in (("up", up), ("unit", unit), ("contact-distance", contact_distance),
                                  ("contact-angle", contact_angle), ("mu", mu)) if v is not None]
     if gravity is not None:
@@ -65,7 +68,7 @@ def _read_alone(reader: Any, path: bytes, raw: Optional[bytes], told: list) -> S
 
 
 def _scene_of(reader: Any, handle: Any) -> Scene:
-    scene, parts = Scene(mu=reader.files_mu(handle)), reader.files_parts(handle).contents
+    scene, parts = Scene(mu=reader.files_mu(handle), density=reader.files_density(handle)), reader.files_parts(handle).contents
     capacity = c.sp_capacity.from_buffer_copy(parts.count)
     capacity.blocks = max(capacity.blocks, 1)
     scene._copy_of(parts, None, capacity)

@@ -4,6 +4,7 @@ from __future__ import annotations
 from typing import Collection, Optional, Sequence, Tuple
 
 from . import meshes
+from ._library import SceneError
 from .scene import Scene
 
 Size = Tuple[float, float, float]
@@ -18,6 +19,8 @@ def _recipe(scene: Scene, name: str, **told: object) -> Scene:
 def stack(sizes: Sequence[Size], offsets: Sequence[Tuple[float, float]], mu: float = 0.7,
           densities: Optional[Sequence[float]] = None) -> Scene:
     """Boxes of these sizes [m], each shifted by its offset (x, y) [m] against the one below."""
+    if not sizes or len(offsets) != len(sizes) or densities and len(densities) != len(sizes):
+        raise SceneError("stack: as many offsets, and densities, as sizes, one at least")
     s = Scene(mu=mu)
     (a, b, _) = sizes[0]
     s.box((a, b, 0.5), (0, 0, -0.25), name="ground", fixed=True)
@@ -31,8 +34,8 @@ def stack(sizes: Sequence[Size], offsets: Sequence[Tuple[float, float]], mu: flo
 
 def wall(courses: int, bricks: int, size: Size = (0.4, 0.2, 0.15), mu: float = 0.7,
          missing: Collection[Tuple[int, int]] = ()) -> Scene:
-    """Running bond: odd courses are shifted by half a brick, whole bricks only. Bricks are called after course and place, c2b3;
-    missing ones as (course, brick), both from 1."""
+    """Running bond: every second course, c2, c4 ..., is shifted by half a brick, whole bricks only. Bricks are called after course
+    and place, c2b3; missing ones as (course, brick), both from 1."""
     s = Scene(mu=mu)
     a, b, h = size
     s.box((a * (bricks + 1), b, h), (a * bricks / 2, 0, -h / 2), name="ground", fixed=True)
@@ -46,6 +49,8 @@ def wall(courses: int, bricks: int, size: Size = (0.4, 0.2, 0.15), mu: float = 0
 def rubble(cuts: Sequence[Sequence[Tuple[float, float]]], heights: Sequence[float], width: float = 2.0, depth: float = 0.4,
            mu: float = 0.7) -> Scene:
     """A wall of irregular stones: a course of each height [m], cut into stones at x = (below, above) [m], ascending."""
+    if len(cuts) != len(heights):
+        raise SceneError("rubble: as many cuts as heights")
     s = Scene(mu=mu)
     s.box((width, depth, 0.3), (width / 2, 0, -0.15), name="ground", fixed=True)
     z = 0.0

@@ -13,6 +13,7 @@ found prints as a call of stonepack.scenes, to be pasted.
 """
 from __future__ import annotations
 
+from math import ceil, floor
 from typing import Any, Optional, Sequence, Tuple
 
 try:
@@ -30,7 +31,7 @@ __all__ = ["blocks", "frictions", "lengths", "orders", "rubble", "sizes", "stack
 
 def lengths(low: float = 0.05, high: float = 1.0) -> "st.SearchStrategy[float]":
     """Whole millimetres from low to high [m]."""
-    return st.integers(round(low * 1000), round(high * 1000)).map(lambda mm: mm / 1000)
+    return st.integers(ceil(round(low * 1000, 6)), floor(round(high * 1000, 6))).map(lambda mm: mm / 1000)
 
 
 def sizes(low: float = 0.05, high: float = 1.0) -> "st.SearchStrategy[Tuple[float, float, float]]":
@@ -73,11 +74,11 @@ def _as_asked(scene: Scene, standing: Optional[bool]) -> Scene:
 def stacks(draw: Any, min_blocks: int = 1, max_blocks: int = 8, max_offset: float = 0.5, mu: Optional[float] = None,
            standing: Optional[bool] = None) -> Scene:
     """Boxes one on another, shifted along x and y by up to max_offset of the smaller one's size."""
-    each, mm = draw(st.lists(sizes(0.1, 1.0), min_size=min_blocks, max_size=max_blocks)), round(1000 * max_offset)
+    each, mm = draw(st.lists(sizes(0.1, 1.0), min_size=min_blocks, max_size=max_blocks)), floor(round(1000 * max_offset, 6))
     shares = draw(st.lists(st.tuples(st.integers(-mm, mm), st.integers(-mm, mm)), min_size=len(each), max_size=len(each)))
     below, offsets = each[0], []
     for size, (sx, sy) in zip(each, shares):
-        offsets.append((round(sx * min(size[0], below[0])) / 1000, round(sy * min(size[1], below[1])) / 1000))
+        offsets.append((int(round(sx * min(size[0], below[0]), 6)) / 1000, int(round(sy * min(size[1], below[1]), 6)) / 1000))
         below = size
     return _as_asked(scenes.stack(each, offsets, mu if mu is not None else draw(frictions())), standing)
 
@@ -94,16 +95,15 @@ def walls(draw: Any, max_courses: int = 6, max_bricks: int = 6, max_missing: int
 
 
 @st.composite
-def rubble(draw: Any, max_courses: int = 5, max_stones: int = 6, mu: Optional[float] = None,
-           standing: Optional[bool] = None) -> Scene:
-    """A wall of irregular stones: level courses of different height, cut at different places along inclined lines."""
+def rubble(draw: Any, max_courses: int = 5, max_stones: int = 6, mu: Optional[float] = None) -> Scene:
+    """A wall of irregular stones: level courses of different height, cut at different places along inclined lines. It stands."""
     heights = draw(st.lists(lengths(0.1, 0.5), min_size=1, max_size=max_courses))
     cuts = []
     for _ in heights:
         places = draw(st.lists(st.integers(1, 18), max_size=max_stones - 1, unique=True))
         lean = draw(st.lists(st.integers(-40, 40), min_size=len(places), max_size=len(places)))
         cuts.append([(x / 10, round(x / 10 + dx / 1000, 3)) for x, dx in zip(sorted(places), lean)])
-    return _as_asked(scenes.rubble(cuts, heights, 1.9, 0.4, mu if mu is not None else draw(frictions())), standing)
+    return scenes.rubble(cuts, heights, 1.9, 0.4, mu if mu is not None else draw(frictions()))
 
 
 def orders(scene: Scene) -> "st.SearchStrategy[Sequence[str]]":

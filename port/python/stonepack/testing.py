@@ -10,8 +10,9 @@ from __future__ import annotations
 import math
 import os
 import re
-from typing import Any, Iterable, List, Optional
+from typing import Any, Iterable, List, Optional, Set
 
+from . import _bindings as c
 from ._assembly import Name
 from ._library import SceneError, StonepackError
 from ._numbers import number, several
@@ -174,14 +175,16 @@ def assert_build_order(scene: Scene, order: Optional[Iterable[Name]] = None, *, 
         step = under_way.hold(k) if k in props else under_way.add(k)
         steps.append(step)
         if not step.stable:
-            _fail_step(scene, laid[:n + 1], n, step, under_way.must_hold().blocks, len(laid), settings)
+            _fail_step(scene, props, laid[:n + 1], n, step, under_way.must_hold().blocks, len(laid), settings)
     return steps
 
 
-def _fail_step(scene: Scene, laid: List[int], n: int, step: Step, hold: List[str], steps: int, settings: Any) -> None:
+def _fail_step(scene: Scene, props: Set[int], laid: List[int], n: int, step: Step, hold: List[str], steps: int, settings: Any) -> None:
     __tracebackhide__ = True
     present = [k for k, block in enumerate(scene.blocks) if block.fixed or k in laid]
     part = scene.part(present)
+    for k in props & set(laid):                         # what is held is a support
+        part._c.block[part.number(scene.names[k])].fixed = c.SP_FIXED
     result = part.check(**settings)
     goes = "'%s' falls" % (step.moving[0] if step.moving else step.falls) if step.verdict == "unstable" else "undecided"
     first = "step %d of %d, laying '%s': %s" % (n + 1, steps, step.block, goes)
