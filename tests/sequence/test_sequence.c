@@ -533,6 +533,38 @@ TEST(a_suggested_stone_keeps_everything_standing)
     }
 }
 
+/* Of two stones that would stand the lower is laid first and the higher taken away first, whichever has which number. */
+TEST(the_lowest_stone_is_suggested_whatever_its_number)
+{
+    for (int turn = 0; turn < 2; turn++) {
+        const sp_capacity cap = { 4, 0, 0, 0, 2, 8, 0 };
+        const sp_strength dry = sp_strength_friction(R(0.6));
+        sp_scene s;
+        sp_suggestion next;
+        test_arena.used = 0;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        for (int b = 0; b < 4; b++) {                   /* two stones, then what each stands on */
+            const int high = (b + turn) % 2;
+            const sp_real middle[3] = { R(5 * high), 0, R(2 * high + (b < 2 ? 0.5 : -0.5)) };
+            CHECK_INT(sp_scene_body(&s, 100, middle, b < 2 ? 0 : SP_FIXED, NULL), SP_OK);
+        }
+        for (int b = 0; b < 2; b++) {
+            const int high = (b + turn) % 2;
+            const sp_real x = R(5 * high), z = R(2 * high), h = R(0.5);
+            const sp_real foot[12] = { x - h, -h, z, x + h, -h, z, x + h, h, z, x - h, h, z };
+            CHECK_INT(sp_scene_joint(&s, 2 + b, b, 4, foot, &dry, NULL), SP_OK);
+        }
+        sp_sequence *q = open_sequence(&s, NULL);
+        NEED(q != NULL);
+        NEED(sp_sequence_suggest(q, 1, 0, &next) == SP_OK);
+        CHECK_INT(next.block, turn);                    /* the one that is not high */
+        take(q, 0, SP_PRESENT);
+        take(q, 1, SP_PRESENT);
+        NEED(sp_sequence_suggest(q, 0, 0, &next) == SP_OK);
+        CHECK_INT(next.block, 1 - turn);
+    }
+}
+
 TEST(asking_changes_nothing)
 {
     sp_scene s;
@@ -774,6 +806,7 @@ TEST_LIST(sequence)
     RUN_FULL(of_every_pair_that_tips_together_one_is_held)
     RUN_FULL(what_is_undecided_proves_no_held_set_minimal)
     RUN(a_suggested_stone_keeps_everything_standing)
+    RUN(the_lowest_stone_is_suggested_whatever_its_number)
     RUN(asking_changes_nothing)
     RUN_FULL(a_wall_stone_by_stone_costs_less_than_ten_checks)
     RUN(a_budget_ends_the_search_with_a_set_that_stands)
