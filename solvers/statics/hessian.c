@@ -38,11 +38,12 @@ SP__NOINLINE static void sp__ipm_sides(const sp__system *w, int32_t c, const sp_
 /* sp__ipm_derivative of a wedge: D nn, ns, ss. */
 SP__NOINLINE static void sp__ipm_by_sides(sp__system *w, int32_t v, const sp_real u[2], sp_real D[3], sp_real *f)
 {
-    const size_t sides = sp__ipm_numbers(w);
-    const sp_real *x = w->inner->x + sides * (size_t)v, times = sp__system_multiplicity(w, v), *e = sp__visit_of(w)->edge;
+    const int32_t sides = (int32_t)sp__ipm_numbers(w);
+    const sp_real *x = w->inner->x + (size_t)sides * (size_t)v, *e = sp__visit_of(w)->edge;
+    const sp_real times = sp__system_multiplicity(w, v);
     D[0] = D[1] = D[2] = 0;
     if (f) f[0] = f[1] = f[2] = 0;
-    for (size_t k = 0; k < sides; k++) {
+    for (int32_t k = 0; k < sides; k++) {
         const sp_real a = e[0], b = e[1 + k], z = w->inner->theta / (sp_real)sides - (a * u[0] + b * u[1]), s = x[k] / z;
         if (!(z > 0 && x[k] > 0)) w->inner->outside = 1;
         w->inner->gap += times * x[k] * z;

@@ -128,11 +128,11 @@ SP__NOINLINE static void sp__ipm_rays(const sp__system *w, sp__ipm *m, int32_t c
 /* The sides of its wedge; rates and g have two numbers. */
 SP__NOINLINE static void sp__ipm_wedge(const sp__system *w, sp__ipm *m, int32_t v)
 {
-    const size_t sides = sp__ipm_numbers(w);
+    const int32_t sides = (int32_t)sp__ipm_numbers(w);
     sp__visit *s = sp__visit_of(w);
-    sp_real (*u)[3] = s->u, *g = s->f, *x = m->x + sides * (size_t)v, *e = s->edge, *rate = s->rate;
+    sp_real (*u)[3] = s->u, *g = s->f, *x = m->x + (size_t)sides * (size_t)v, *e = s->edge, *rate = s->rate;
     g[0] = g[1] = g[2] = 0;
-    for (size_t k = 0; k < sides; k++) {
+    for (int32_t k = 0; k < sides; k++) {
         for (int q = 0; q < 3; q++) rate[q] = e[0] * u[q][0] + e[1 + k] * u[q][1];
         const sp_real a = sp__ipm_ray(w, m, (sp_real)sides, x + k, rate);
         g[0] += a * e[0];
