@@ -277,10 +277,10 @@ static void sp__supernode_within(const sp__supernode *s)
         sp__bchol_block(d, s->floor);
         for (int32_t q = 0; q < own; q++) sp__bchol_right(x + 36 * (size_t)q, d);
         for (int32_t b = 0; b < own; b++) {
-            const sp__low *from = x, *xb = x + 36 * (size_t)b;
+            const sp__low *const from[1] = { x }, *const xb[1] = { x + 36 * (size_t)b };
             sp__low *to = f->x + 36 * (size_t)f->p[j + 1 + b];
-            sp__bchol_square(f->d + 21 * (size_t)(j + 1 + b), xb);
-            for (int32_t a = b + 1; a < own; a++, to += 36) sp__bchol_update(to, 1, &from, &xb, 36 * (size_t)a);
+            sp__bchol_square(f->d + 21 * (size_t)(j + 1 + b), xb[0]);
+            for (int32_t a = b + 1; a < own; a++, to += 36) sp__bchol_update(to, 1, from, xb, 36 * (size_t)a);
         }
     }
 }

@@ -765,7 +765,7 @@ check_coverage() {
         SHOW=1
         part "conditions of the certificate check that its suites show to decide" \
             env OF=proof LEFT=1 LEAST=100 sh tests/mutation/coverage.sh scale search moving leaf still \
-            corner refute triple strong shear sliding verify claims shapes
+            corner refute triple forces strong shear sliding verify claims shapes
         SHOW=
     else skip "MC/DC of the certificate check" "python3 clang-19 llvm-19 libclang-rt-19-dev"; fi
 }

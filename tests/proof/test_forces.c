@@ -306,6 +306,9 @@ TEST(of_motions_with_smaller_ones_held_the_best_is_taken)
             CHECK((o.j.dual.motion[7] > 0) == (gains || presses));
             CHECK_INT(o.j.sweeps, gains || presses ? 3 : 2);
             CHECK(sp__certifier_work(&o.j, &scale) > 0);
+            CHECK_NEAR(sp__certify_mechanism(&o.j, dq, 1, &final), both, TOL(1e-14, 1e-6));     /* of islands together none is dropped */
+            CHECK_INT(final, 1);
+            CHECK(o.j.dual.motion[7] > 0);
             test_arena = mark;
         }
 }
