@@ -88,8 +88,8 @@ TEST(inertia_without_a_mesh_is_that_of_a_ball_as_large_as_joints_are_far)
         CHECK_INT(sp_scene_joint(&s, 1, 2, 4, head, &dry, NULL), SP_OK);
         NEED(sp_problem_build(&s, &test_arena, &pb) == SP_OK);
         CHECK_INT(sp__inertias(&pb, arm, o), 1);
-        const double r[2] = { sqrt(pow(2. / 3 * (double)h, 2) + pow((double)h, 2) + pow((double)up, 2)),
-                              sqrt(pow((double)h / 3, 2) + pow((double)h / 2, 2) + pow((double)up, 2)) };
+        const double hh = (double)(h * h), uu = (double)(up * up);
+        const double r[2] = { sqrt(hh * 4 / 9 + hh + uu), sqrt(hh / 9 + hh / 4 + uu) };
         for (int i = 0; i < 2; i++) {
             CHECK_INT(o[i].known, 0);
             CHECK_NEAR(arm[i], r[i], TOL(1e-12, 1e-5));
