@@ -23,14 +23,17 @@ static size_t sp__ipm_numbers(const sp__system *w)
     return w->law.cone.faces ? (size_t)w->law.cone.faces : 3;
 }
 
+/* What each side of a wedge has of the cone's e. */
+static sp_real sp__ipm_share(const sp__system *w) { return w->reduction->mode == SP__PLANE ? (sp_real)0.5 : 1; }
+
 /* Columns of E of a wedge, x >= 0: (e[0], e[1]) and (e[0], e[2]), the cone's in the plane: its x0 +- x1 are their x, and of
  * z0 +- z1 each has half, so that its path is theirs. They lie in w->scratch until the next visit. */
 SP__NOINLINE static void sp__ipm_sides(const sp__system *w, int32_t c, const sp_real *g)
 {
     const int plane = w->reduction->mode == SP__PLANE;
-    const sp_real S = w->inner->force_scale * sp__system_scale(w, c), mu = plane ? sp__system_mu(w, c) : 0;
+    const sp_real mu = plane ? sp__system_mu(w, c) : 0;
     sp_real *e = sp__visit_of(w)->edge;
-    e[0] = plane ? S / 2 : S;
+    e[0] = sp__ipm_share(w) * w->inner->force_scale * sp__system_scale(w, c);
     e[1] = plane ? e[0] * (mu / g[4]) : 0;
     e[2] = plane ? -e[0] * (mu / g[5]) : 0;
 }
@@ -40,11 +43,11 @@ SP__NOINLINE static void sp__ipm_by_sides(sp__system *w, int32_t v, const sp_rea
 {
     const int32_t sides = (int32_t)sp__ipm_numbers(w);
     const sp_real *x = w->inner->x + (size_t)sides * (size_t)v, *e = sp__visit_of(w)->edge;
-    const sp_real times = sp__system_multiplicity(w, v);
+    const sp_real times = sp__system_multiplicity(w, v), theta = sp__ipm_share(w) * w->inner->theta;
     D[0] = D[1] = D[2] = 0;
     if (f) f[0] = f[1] = f[2] = 0;
     for (int32_t k = 0; k < sides; k++) {
-        const sp_real a = e[0], b = e[1 + k], z = w->inner->theta / (sp_real)sides - (a * u[0] + b * u[1]), s = x[k] / z;
+        const sp_real a = e[0], b = e[1 + k], z = theta - (a * u[0] + b * u[1]), s = x[k] / z;
         if (!(z > 0 && x[k] > 0)) w->inner->outside = 1;
         w->inner->gap += times * x[k] * z;
         D[0] += s * a * a; D[1] += s * a * b; D[2] += s * b * b;

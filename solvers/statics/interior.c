@@ -91,10 +91,11 @@ SP__NOINLINE static void sp__ipm_cone(const sp__system *w, sp__ipm *m, sp_real *
     }
 }
 
-/* One edge of a pyramid, as sp__ipm_cone does a cone; here W^2 = x / z. parts: 2 for the sides of a wedge, which share e. */
-static sp_real sp__ipm_ray(const sp__system *w, sp__ipm *m, sp_real parts, sp_real *x, const sp_real u[3])
+/* One edge of a pyramid, as sp__ipm_cone does a cone; here W^2 = x / z. share: of e; the two sides of a wedge have half
+ * each, else it is 1. */
+static sp_real sp__ipm_ray(const sp__system *w, sp__ipm *m, sp_real share, sp_real *x, const sp_real u[3])
 {
-    const sp_real keep = 1 - m->sigma, theta = m->theta / parts, z = theta - u[0], s = *x / z, aim = m->sigma * m->mu / parts;
+    const sp_real keep = 1 - m->sigma, theta = share * m->theta, z = theta - u[0], s = *x / z, aim = share * m->sigma * m->mu;
     sp_real h = -*x;
     if (sp__ipm_has_targets(m)) h = x[sp__ipm_copy(w, m->kept)];
     else if (m->corrected) {
@@ -134,7 +135,7 @@ SP__NOINLINE static void sp__ipm_wedge(const sp__system *w, sp__ipm *m, int32_t 
     g[0] = g[1] = g[2] = 0;
     for (int32_t k = 0; k < sides; k++) {
         for (int q = 0; q < 3; q++) rate[q] = e[0] * u[q][0] + e[1 + k] * u[q][1];
-        const sp_real a = sp__ipm_ray(w, m, (sp_real)sides, x + k, rate);
+        const sp_real a = sp__ipm_ray(w, m, sp__ipm_share(w), x + k, rate);
         g[0] += a * e[0];
         g[1] += a * e[1 + k];
     }

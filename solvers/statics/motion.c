@@ -156,13 +156,14 @@ static const sp__yield *sp__system_yield(const sp__system *w, int32_t c)
 /* X = T y: motion of B seen from A at the origin of a contact. */
 static void sp__reduction_motion(const sp__system *w, const sp_contact *t, const sp_real *g, const sp_real *y, sp_real X[3])
 {
-    const int plane = w->reduction->mode == SP__PLANE;
+    const sp__reduction *o = w->reduction;
+    const size_t row[3] = { sp__reduction_row(o, 0), sp__reduction_row(o, 1), sp__reduction_row(o, 2) };
     X[0] = X[1] = X[2] = 0;
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
         if (i < 0) continue;
-        const sp_real *T = g + 6 + 7 * side, *yi = y + 6 * (size_t)i;                   /* rows of sp__reduction_row */
-        const sp_real a = yi[plane ? 0 : 2], b = yi[plane ? 1 : 3], c = yi[plane ? 5 : 4];
+        const sp_real *T = g + 6 + 7 * side, *yi = y + 6 * (size_t)i;
+        const sp_real a = yi[row[0]], b = yi[row[1]], c = yi[row[2]];
         X[0] += T[0] * a + T[2] * b + T[4] * c;
         X[1] += T[1] * a + T[3] * b + T[5] * c;
         X[2] += T[6] * c;

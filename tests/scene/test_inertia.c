@@ -39,19 +39,25 @@ static sp_status add_box(sp_scene *s, sp_real Q[3][3], const sp_real *size, cons
     return sp_scene_block(s, &mesh, R(density), 0, NULL);
 }
 
+/* A scene of one free box of any sides, turned any way, with room for a body and a load beside it. */
+static int one_box(sp_scene *s, sp_real Q[3][3], sp_real size[3], const sp_real *middle, double density)
+{
+    const sp_capacity cap = { 2, 8, 6, 24, 0, 0, 1 };
+    test_arena.used = 0;
+    any_axes(Q);
+    for (int k = 0; k < 3; k++) size[k] = test_random_real(0.2, 3);
+    return CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK) && CHECK_INT(add_box(s, Q, size, middle, density), SP_OK);
+}
+
 /* J = sum_k m / 12 (size^2 - size_k^2) q_k q_k' of a box. */
 TEST(inertia_of_a_box_is_that_of_its_sides)
 {
     for (int trial = 0; trial < TRIALS; trial++) {
-        const sp_capacity cap = { 1, 8, 6, 24, 0, 0, 0 };
-        sp_real Q[3][3], size[3], middle[3];
+        const sp_real middle[3] = { test_random_real(-2, 2), test_random_real(-2, 2), test_random_real(-2, 2) };
+        sp_real Q[3][3], size[3];
         sp_scene s;
         sp__inertia o;
-        test_arena.used = 0;
-        any_axes(Q);
-        for (int k = 0; k < 3; k++) { size[k] = test_random_real(0.2, 3); middle[k] = test_random_real(-2, 2); }
-        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
-        CHECK_INT(add_box(&s, Q, size, middle, 1700), SP_OK);
+        NEED(one_box(&s, Q, size, middle, 1700));
         sp__inertia_of(&s, &s.block[0], 7, &o);
         CHECK_INT(o.known, 1);
         const double m = 1700 * (double)(size[0] * size[1] * size[2]), all = (double)sp__dot3(size, size);
@@ -104,17 +110,13 @@ TEST(inertia_without_a_mesh_is_that_of_a_ball_as_large_as_joints_are_far)
 TEST(acceleration_is_what_inertia_takes_and_none_where_it_is_held)
 {
     for (int trial = 0; trial < 64; trial++) {
-        const sp_capacity cap = { 2, 16, 12, 48, 0, 0, 0 };
-        sp_real Q[3][3], size[3], middle[3] = { 0, 0, 0 }, a[6] = { 0, 0, 0, 0, 0, 0 }, force[6];
+        const sp_real middle[3] = { 0, 0, 0 };
+        sp_real Q[3][3], size[3], a[6] = { 0, 0, 0, 0, 0, 0 }, force[6];
         sp_scene s;
         sp_problem pb;
         sp__inertia o[2];
         sp_real arm[2];
-        test_arena.used = 0;
-        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
-        any_axes(Q);
-        for (int k = 0; k < 3; k++) size[k] = test_random_real(0.2, 3);
-        CHECK_INT(add_box(&s, Q, size, middle, 2000), SP_OK);
+        NEED(one_box(&s, Q, size, middle, 2000));
         s.block[0].fixed = (uint32_t)(trial % 63);
         NEED(sp_problem_build(&s, &test_arena, &pb) == SP_OK && pb.blocks == 1);
         CHECK_INT(sp__inertias(&pb, arm, o), 1);
@@ -134,18 +136,14 @@ TEST(acceleration_is_what_inertia_takes_and_none_where_it_is_held)
 TEST(loads_with_mass_leave_inertia_unknown_unless_a_support_bears_them)
 {
     for (int32_t on = 0; on < 2; on++) {
-        const sp_capacity cap = { 2, 8, 6, 24, 0, 0, 1 };
-        const sp_real middle[3] = { 0, 0, 0 }, size[3] = { 1, 1, 1 };
+        const sp_real middle[3] = { 0, 0, 0 };
         const sp_load heavy = { on, 0, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, R(2) };
-        sp_real Q[3][3];
+        sp_real Q[3][3], size[3];
         sp_scene s;
         sp_problem pb;
         sp__inertia o[2];
         sp_real arm[2];
-        test_arena.used = 0;
-        any_axes(Q);
-        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
-        CHECK_INT(add_box(&s, Q, size, middle, 2000), SP_OK);
+        NEED(one_box(&s, Q, size, middle, 2000));
         CHECK_INT(sp_scene_body(&s, 1, middle, SP_FIXED, NULL), SP_OK);
         CHECK_INT(sp_scene_load(&s, &heavy, NULL), SP_OK);
         NEED(sp_problem_build(&s, &test_arena, &pb) == SP_OK);

@@ -348,78 +348,85 @@ TEST(product_with_the_Hessian_in_3_rows_is_that_in_6)
 #if SP__WITH_INTERIOR
 /* Interior points in 3 rows: f = sum x_k e_k over the n sides of a wedge, e = S (1, +- mu) / 2 in (fn, fs), z = theta / n - e.u;
  * of level joints f = x S alone. All of it by this, without what the library makes of sides. */
-typedef struct side { sp_real e[2], x, z, u[3]; int n; } side;    /* u: along e of y, d and a step; n of them */
+typedef struct side {
+    const sp_contact *t;
+    sp_real e[2], lever[2], times, *x, z;
+    sp_real u[3];                       /* along e of y, the predictor and the step */
+    int n;                              /* sides of its vertex */
+} side;
 
-/* The sides of vertex v of a contact at motions m. */
-static int sides_of(const both *b, const sp__view *k, int32_t v, const sp_real *const m[3], side s[2])
+enum { SIDES = 1024 };
+
+static side sides[SIDES];
+
+/* Side i of vertex v of a contact at motions m. */
+static side side_of(const both *b, const sp__view *k, int32_t v, int i, const sp_real *const m[3])
 {
     const sp__system *w = b->w[0];
     const int n = b->o->mode == SP__PLANE ? 2 : 1;
     const sp_real S = w->inner->force_scale * sp__system_scale(w, k->c) / (sp_real)n, mu = sp__system_mu(w, k->c);
-    for (int i = 0; i < n; i++) {
-        s[i].e[0] = S;
-        s[i].e[1] = n == 1 ? 0 : i ? -S * mu / k->g[5] : S * mu / k->g[4];
-        s[i].x = w->inner->x[(size_t)n * (size_t)v + (size_t)i];
-        for (int q = 0; q < 3; q++) {
-            sp_real X[3], u[3], lever[2];
-            sp__reduction_motion(w, k->t, k->g, m[q], X);
-            sp__wedge_levers(w, k->g, b->pb[0].local[v], lever);
-            sp__wedge_rates(w, lever, X, u);
-            s[i].u[q] = s[i].e[0] * u[0] + s[i].e[1] * u[1];
-        }
-        s[i].n = n;
-        s[i].z = w->inner->theta / (sp_real)n - s[i].u[0];
+    side s = { k->t, { S, n == 1 ? 0 : i ? -S * mu / k->g[5] : S * mu / k->g[4] }, { 0, 0 }, sp__system_multiplicity(w, v),
+               w->inner->x + n * v + i, 0, { 0, 0, 0 }, n };
+    sp__wedge_levers(w, k->g, b->pb[0].local[v], s.lever);
+    for (int q = 0; q < 3; q++) {
+        sp_real X[3], u[3];
+        sp__reduction_motion(w, k->t, k->g, m[q], X);
+        sp__wedge_rates(w, s.lever, X, u);
+        s.u[q] = s.e[0] * u[0] + s.e[1] * u[1];
     }
-    return n;
+    s.z = w->inner->theta / (sp_real)n - s.u[0];
+    return s;
 }
 
-/* x between a half and 3 halves, y so small that no z is below a half of theta; the step in d. */
+/* All sides of vertices that count at motions y, predictor and step, into `sides`.     returns how many */
+static int all_sides(const both *b, const sp_real *y, const sp_real *predictor, const sp_real *step)
+{
+    const sp_real *const m[3] = { y, predictor, step };
+    int count = 0;
+    for (int32_t c = 0; c < b->pb[0].contacts; c++) {
+        const sp__view k = sp__view_of(b->w[0], c);
+        for (int32_t v = k.t->point; v < k.t->point + k.t->points; v++) {
+            if (!(sp__system_multiplicity(b->w[0], v) > 0) || !CHECK(count + 2 <= SIDES)) continue;
+            sides[count++] = side_of(b, &k, v, 0, m);
+            if (sides[count - 1].n == 2) { sides[count] = side_of(b, &k, v, 1, m); count++; }
+        }
+    }
+    return count;
+}
+
+/* x between a half and 3 halves, y so small that z n lies between a half and 3 halves of theta. */
 static void begin_inside(both *b)
 {
-    sp__system *w = b->w[0];
-    sp__ipm *m = w->inner;
+    sp__ipm *m = b->w[0]->inner;
+    sp_real *y = b->y[0];
     memset(m, 0, sizeof *m);
-    m->x = w->x;
+    m->x = b->w[0]->x;
     m->theta = R(0.7);
     m->force_scale = R(0.3);
     for (size_t q = 0; q < 2 * (size_t)b->pb[0].points; q++) m->x[q] = test_random_real(0.5, 1.5);
-    const sp_real *const still[3] = { b->y[0], b->y[0], b->y[0] };
     for (int more = 1; more; ) {
+        const int count = all_sides(b, y, y, y);
         more = 0;
-        for (int32_t c = 0; c < b->pb[0].contacts; c++) {
-            const sp__view k = sp__view_of(w, c);
-            for (int32_t v = k.t->point; v < k.t->point + k.t->points; v++) {
-                side s[2];
-                const int n = sp__system_multiplicity(w, v) > 0 ? sides_of(b, &k, v, still, s) : 0;
-                for (int i = 0; i < n; i++) more |= s[i].z * (sp_real)n < m->theta / 2 || s[i].z > m->theta;
-            }
-        }
-        for (size_t q = 0; q < b->n && more; q++) b->y[0][q] /= 2;
+        for (int i = 0; i < count; i++) more |= fabs((double)(sides[i].z * (sp_real)sides[i].n / m->theta) - 1) > 0.5;
+        for (size_t q = 0; q < b->n && more; q++) y[q] /= 2;
     }
 }
 
 /* out = Aeq sum a_k e_k, a_k = what(side, m) */
-static void gather_sides(const both *b, const sp_real *const m[3], sp_real (*what)(const side *, const sp__ipm *), sp_real *out)
+static void gather_sides(const both *b, int count, sp_real (*what)(const side *, const sp__ipm *), sp_real *out)
 {
     const sp__system *w = b->w[0];
     memset(out, 0, b->n * sizeof *out);
-    for (int32_t c = 0; c < b->pb[0].contacts; c++) {
-        const sp__view k = sp__view_of(w, c);
-        for (int32_t v = k.t->point; v < k.t->point + k.t->points; v++) {
-            side s[2];
-            sp_real f[2] = { 0, 0 }, Y[3] = { 0, 0, 0 }, lever[2];
-            const sp_real times = sp__system_multiplicity(w, v);
-            const int n = times > 0 ? sides_of(b, &k, v, m, s) : 0;
-            for (int i = 0; i < n; i++) for (int q = 0; q < 2; q++) f[q] += times * what(&s[i], w->inner) * s[i].e[q];
-            if (!n) continue;
-            sp__wedge_levers(w, k.g, b->pb[0].local[v], lever);
-            sp__wedge_gather(w, lever, f, Y);
-            sp__reduction_gather(w, k.t, k.g, Y, out);
-        }
+    for (int i = 0; i < count; i++) {
+        const side *s = &sides[i];
+        const sp_real a = s->times * what(s, w->inner), f[2] = { a * s->e[0], a * s->e[1] };
+        sp_real Y[3] = { 0, 0, 0 };
+        sp__wedge_gather(w, s->lever, f, Y);
+        sp__reduction_gather(w, s->t, sp__reduction_frame(w, s->t), Y, out);
     }
 }
 
-/* The logarithm of z in 0.1 .. 1, which boards lack. */
+/* The logarithm of z in 0.1 .. 2, which boards lack. */
 static double ln(double z)
 {
     const double t = (z - 1) / (z + 1);
@@ -428,15 +435,24 @@ static double ln(double z)
     return 2 * sum;
 }
 
-static sp_real potential(const side *s, const sp__ipm *m) { (void)m; return R(-(double)s->x * ln((double)s->z)); }
+static sp_real potential(const side *s, const sp__ipm *m) { (void)m; return R(-(double)*s->x * ln((double)s->z)); }
+
 /* -(1 - sigma) x - dx, dx = h - x / z dz, h = -x, dz = -(1 - sigma) theta / n; corrected: h = -x + (sigma mu / n - dx dz) / z of
  * the predictor dz = -theta / n - u1, dx = -x - x / z dz. */
 static sp_real aim(const side *s, const sp__ipm *m)
 {
-    const sp_real keep = 1 - m->sigma, theta = m->theta / (sp_real)s->n;
-    const sp_real dz = -theta - s->u[1], dx = -s->x - s->x / s->z * dz;
-    const sp_real h = m->corrected ? -s->x + (m->sigma * m->mu / (sp_real)s->n - dx * dz) / s->z : -s->x;
-    return -(keep * s->x + h + s->x / s->z * keep * theta);
+    const sp_real keep = 1 - m->sigma, theta = m->theta / (sp_real)s->n, x = *s->x;
+    const sp_real dz = -theta - s->u[1], dx = -x - x / s->z * dz;
+    const sp_real h = m->corrected ? -x + (m->sigma * m->mu / (sp_real)s->n - dx * dz) / s->z : -x;
+    return -(keep * x + h + x / s->z * keep * theta);
+}
+
+/* Changes of a step: dz = -(1 - sigma) theta / n - u2, dx = h - x / z dz, where `aim` knows all but u2. */
+static void change_of(const side *s, const sp__ipm *m, sp_real *dx, sp_real *dz)
+{
+    const sp_real keep = 1 - m->sigma;
+    *dz = -keep * m->theta / (sp_real)s->n - s->u[2];
+    *dx = -aim(s, m) - keep * *s->x + *s->x / s->z * s->u[2];
 }
 
 /* The matrix is the derivative of Aeq sum -x_k log z_k e_k. */
@@ -453,10 +469,9 @@ TEST(interior_matrix_in_3_rows_is_the_derivative_of_forces_along_sides)
         sp__system_solve(b.w[0], b.d[0], b.x[0]);
         const sp_real h = R(TOL(1e-4, 1e-2)) / sp__max(1, SP_SQRT(sp__dot(b.x[0], b.x[0], b.n)));
         sp_real *at = b.x[1];
-        for (int side_of = 0; side_of < 2; side_of++) {
-            const sp_real *const m[3] = { at, at, at };
-            for (size_t q = 0; q < b.n; q++) at[q] = b.y[0][q] + (side_of ? -h : h) * b.x[0][q];
-            gather_sides(&b, m, potential, b.r[side_of]);
+        for (int below = 0; below < 2; below++) {
+            for (size_t q = 0; q < b.n; q++) at[q] = b.y[0][q] + (below ? -h : h) * b.x[0][q];
+            gather_sides(&b, all_sides(&b, at, at, at), potential, b.r[below]);
         }
         for (size_t q = 0; q < b.n; q++) b.r[0][q] = (b.r[0][q] - b.r[1][q]) / (2 * h);
         same_numbers(b.r[0], b.d[0], b.n, TOL(1e-5, 5e-2));
@@ -464,7 +479,44 @@ TEST(interior_matrix_in_3_rows_is_the_derivative_of_forces_along_sides)
     }
 }
 
-/* Right-hand sides, the longest step and the step itself. */
+/* Right-hand sides of predictor and corrector. */
+static void compare_aims(both *b, int count)
+{
+    sp__ipm *m = b->w[0]->inner;
+    for (int corrected = 0; corrected < 2; corrected++) {
+        m->corrected = corrected;
+        m->sigma = corrected ? R(0.3) : 0;
+        m->mu = R(0.2);
+        sp__ipm_sweep(b->w[0], m, SP__AIM, b->r[0]);
+        gather_sides(b, count, aim, b->r[1]);
+        same_numbers(b->r[0], b->r[1], b->n, TOL(1e-12, 1e-4));
+    }
+}
+
+/* The longest step, and half of it. */
+static void compare_step(both *b, int count)
+{
+    static sp_real want[SIDES];
+    sp__ipm *m = b->w[0]->inner;
+    sp_real longest = 1000, dx, dz;
+    for (int i = 0; i < count; i++) {
+        change_of(&sides[i], m, &dx, &dz);
+        if (-dx * longest > *sides[i].x) longest = *sides[i].x / -dx;
+        if (-dz * longest > sides[i].z) longest = sides[i].z / -dz;
+    }
+    m->reach = 1000;
+    sp__ipm_sweep(b->w[0], m, SP__REACH, NULL);
+    CHECK(longest < 1000);
+    CHECK_NEAR(m->reach, (double)longest, TOL(1e-11, 1e-3));
+    m->reach = longest / 2;
+    for (int i = 0; i < count; i++) {
+        change_of(&sides[i], m, &dx, &dz);
+        want[i] = *sides[i].x + m->reach * dx;
+    }
+    sp__ipm_sweep(b->w[0], m, SP__MOVE, NULL);
+    for (int i = 0; i < count; i++) CHECK_NEAR(*sides[i].x, (double)want[i], TOL(1e-11, 1e-3));
+}
+
 TEST(interior_passes_in_3_rows_are_sums_over_sides)
 {
     for (int k = 0; k < SCENES; k++) {
@@ -473,46 +525,12 @@ TEST(interior_passes_in_3_rows_are_sums_over_sides)
         if (scene_of[k].strong) continue;
         NEED(begin(&b, k, SP__EXACT));
         begin_inside(&b);
-        sp__system *w = b.w[0];
-        sp__ipm *m = w->inner;
         const sp_real *const along[3] = { b.y[0], b.d[0], b.d[0] };
-        for (int q = 0; q < 3; q++) m->along[q] = along[q];
-        sp_real longest = 1000, most = 0;
-        for (int corrected = 0; corrected < 2; corrected++) {
-            m->corrected = corrected;
-            m->sigma = corrected ? R(0.3) : 0;
-            m->mu = R(0.2);
-            sp__ipm_sweep(w, m, SP__AIM, b.r[0]);
-            gather_sides(&b, along, aim, b.r[1]);
-            same_numbers(b.r[0], b.r[1], b.n, TOL(1e-12, 1e-4));
-        }
-        m->reach = longest;
-        sp__ipm_sweep(w, m, SP__REACH, NULL);
-        for (int pass = 0; pass < 2; pass++) {          /* the step by hand, then that of the library */
-            for (int32_t c = 0; c < b.pb[0].contacts; c++) {
-                const sp__view view = sp__view_of(w, c);
-                for (int32_t v = view.t->point; v < view.t->point + view.t->points; v++) {
-                    side s[2];
-                    const int n = sp__system_multiplicity(w, v) > 0 ? sides_of(&b, &view, v, along, s) : 0;
-                    for (int i = 0; i < n; i++) {
-                        const sp_real dz = -(1 - m->sigma) * m->theta / (sp_real)n - s[i].u[2];
-                        const sp_real rest = -aim(&s[i], m) - (1 - m->sigma) * s[i].x;  /* dx at no step */
-                        const sp_real dx = rest + s[i].x / s[i].z * s[i].u[2];
-                        if (-dx * longest > s[i].x) longest = s[i].x / -dx;
-                        if (-dz * longest > s[i].z) longest = s[i].z / -dz;
-                        most = sp__max(most, sp__abs(dx));
-                        b.f[pass][n * v + i] = pass ? s[i].x : s[i].x + R(0.5) * m->reach * dx;
-                    }
-                    for (int i = 0; i < n && pass; i++) CHECK_NEAR(b.f[1][n * v + i], b.f[0][n * v + i], TOL(1e-11, 1e-3));
-                }
-            }
-            if (pass) break;
-            CHECK_WITHIN(m->reach, (double)longest, TOL(1e-11, 1e-3) * (double)longest);
-            m->reach *= R(0.5);
-            sp__ipm_sweep(w, m, SP__MOVE, NULL);
-            m->reach *= 2;
-        }
-        CHECK(most > 0);
+        const int count = all_sides(&b, along[0], along[1], along[2]);
+        CHECK(count > 0);
+        for (int q = 0; q < 3; q++) b.w[0]->inner->along[q] = along[q];
+        compare_aims(&b, count);
+        compare_step(&b, count);
         test_arena.used = mark.used;
     }
 }

@@ -7,7 +7,7 @@
     @given(stones.stacks(max_offset=0.4))
     def test_my_rule(scene): ...
 
-Lengths are whole millimetres, so that examples are short; they shrink to fewer stones, no offset, equal sizes. Scenes of
+Lengths are whole millimetres, so that examples are short; they shrink to fewer stones, no offset, equal sizes. Stacks and walls of
 `standing=True` are those that stand, `standing=False` those that fall, None (default) either; each with its proof. What is
 found prints as a call of stonepack.scenes, to be pasted.
 """
