@@ -7,6 +7,8 @@
 #include "../../solvers/scene/joint.c"
 #include "../../solvers/scene/inertia.c"
 
+#include <math.h>
+
 #if SP__WITH_STRONG
 
 enum { TRIALS = 30 };
