@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """mutate: does a test notice when one place of the library is wrong?
 
-    python3 -B tests/mutation/mutate.py [--of proof|verify|limit|core|PATH...] [--sample N] [--seed N] [--jobs N] [--guided] [--longest MS]
-                                        [--hashes] [--line FILE:N] [--list] [--table FILE] [--least PERCENT] [--kept FILE [--minutes M]]
+    python3 -B tests/mutation/mutate.py [--of proof|verify|limit|core|PATH...] [--sample N [--after N]] [--seed N] [--jobs N] [--guided]
+                                        [--longest MS] [--hashes] [--line FILE:N] [--list] [--table FILE] [--least PERCENT]
+                                        [--kept FILE [--minutes M]]
 
 Each mutant is the library with one place changed: a relation, an arithmetic sign, a number, a condition negated, a statement left out.
 It is compiled whole by tcc, else by CC at -O0, linked with the suites, which are compiled once (white-box suites that include the
@@ -11,6 +12,7 @@ unchanged library, so what no longer ends is noticed too; those that take longer
 its white-box suites once more, with sanitizers and a fence behind every piece of memory. `survived` are those that
 no test noticed. What changes nothing that anyone could see is listed in equivalents.txt, one line of argument each, and left out.
 
+    --after     of a sample, the first N were asked before
     --guided    a suite is asked only where it reaches the changed line, by gcov; it takes minutes to find out which do, and is for
                 large samples of the core
     --longest   of the core, tests of up to so many milliseconds are asked (50); with more of them and --again the survivors of a
@@ -380,6 +382,7 @@ def main():
     say = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     say.add_argument('--of', nargs='+', default=['proof', 'verify'])
     say.add_argument('--sample', type=int, default=0)
+    say.add_argument('--after', type=int, default=0)
     say.add_argument('--seed', type=int, default=20)
     say.add_argument('--jobs', type=int, default=os.cpu_count())
     say.add_argument('--line', action='append', default=[])
@@ -404,7 +407,7 @@ def main():
     for file, text in known - used:
         if file in files and not args.line: print('no such mutant, listed as equivalent: %s: %s' % (file, text))
     rest = [m for m in found if (m[0], m[4].strip()) not in known]
-    if args.sample: rest = sample(rest, args.sample, args.seed)
+    if args.sample: rest = sample(rest, args.sample, args.seed)[args.after:]
     if args.list:
         for m in rest: print('%s:%d: %s: %s' % (m[0], m[1], m[2], m[4].strip()))
         return 0
