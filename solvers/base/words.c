@@ -30,18 +30,20 @@
 #define SP__WORDS_QP_STATUS \
     "solved\0" "inaccurate\0" "primal infeasible\0" "dual infeasible\0" "iteration limit\0" "budget\0" "numerical\0"
 #define SP__WORDS_VERDICT "undecided\0" "stable\0" "unstable\0"
-#define SP__WORDS_LEVEL "none\0" "admissible\0" "coupled\0"
+#define SP__WORDS_LEVEL "none\0" "admissible\0" SP__LONG_TEXT("coupled") "\0"
 #define SP__WORDS_REASON \
-    "forces\0" "nothing to carry\0" "no contact\0" "no support\0" "mechanism\0" "limit\0" "budget\0" "stages\0" \
-    SP__LONG_TEXT("no consistent motion") "\0" SP__LONG_TEXT("no coupled certificate") "\0" "tension\0" "unverified\0" \
+    "forces\0" "nothing to carry\0" "no contact\0" "no support\0" "mechanism\0" "limit\0" "budget\0" \
+    SP__LONG_TEXT("stages") "\0" SP__LONG_TEXT("no consistent motion") "\0" SP__LONG_TEXT("no coupled certificate") "\0" \
+    SP__LONG_TEXT("tension") "\0" SP__LONG_TEXT("unverified") "\0" \
     SP__LONG_TEXT("effect left out") "\0"
 #define SP__WORDS_STAGE \
     "none\0" "gates\0" SP__LONG_TEXT("least squares") "\0" SP__LONG_TEXT("dense") "\0" SP__LONG_TEXT("polish") "\0" "exact\0" \
     SP__LONG_TEXT("ADMM") "\0" SP__LONG_TEXT("custom") "\0"
 #define SP__WORDS_EFFECT "friction\0" "depth\0" "together\0" "strength\0" "loads\0" "live\0" "coupled\0" "dynamics\0"
 #define SP__WORDS_EFFECT_WHY \
-    "the scene calls for it\0" "the caller asks for it\0" SP__LONG_TEXT("left out by the caller") "\0" "not in this scene\0" \
-    "not asked for\0" "statics asks for none\0" SP__LONG_TEXT("they share no free block; ") "each is solved alone\0" \
+    "the scene calls for it\0" SP__LONG_TEXT("the caller asks for it") "\0" SP__LONG_TEXT("left out by the caller") "\0" \
+    "not in this scene\0" \
+    "not asked for\0" "statics asks for none\0" SP__LONG_TEXT("they share no free block; each is solved alone") "\0" \
     SP__LONG_TEXT("stages or a budget that a plan leaves alone") "\0" \
     SP__LONG_TEXT("everything has one mirror plane: 3 rows a block") "\0" \
     SP__LONG_TEXT("joints at right angles to the loads: pressure alone comes first") "\0" \

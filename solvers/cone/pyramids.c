@@ -73,7 +73,7 @@ static void sp__turn_quarter(int32_t K, sp_real d[2])
 #endif
 
 /* d = cos, sin of g pi/(2K), 0 <= g <= K/2. Powers drift off the unit circle by g u/2; one Newton step for 1/|d| undoes it. */
-static void sp__turn_power(int32_t K, int32_t g, sp_real d[2])
+SP__NOINLINE_SMALL static void sp__turn_power(int32_t K, int32_t g, sp_real d[2])
 {
     sp__turn_quarter(K, d);
     sp_real c = d[0], s = d[1];

@@ -46,20 +46,6 @@ static int sp__part_live(const sp_scene *scene, const sp__part *part)
     return live;
 }
 
-/* The loads of sp__problem_loads, those on the part. */
-static sp_status sp__part_loads(const sp__part *part, const sp_problem *pb)
-{
-    const sp_load *load = pb->scene->load;
-    sp_status status = sp__problem_clear(pb);
-    if (status) return status;
-    for (int32_t k = part->load; k >= 0; k = part->load_next[k]) sp__problem_load(pb, &load[k], part->row[load[k].block]);
-    sp__problem_weights(pb);
-    status = sp__problem_sum(pb);
-    if (status) return status;
-    for (int32_t k = part->load; k >= 0; k = part->load_next[k]) sp__load_clear_sums(pb, &load[k], part->row[load[k].block]);
-    return SP_OK;
-}
-
 /* Its contacts, vertices copied so that they stand one after the other. */
 static sp_status sp__part_contacts(const sp__part *part, const sp_problem *pb)
 {
@@ -86,7 +72,7 @@ SP__NOINLINE static sp_status sp__part_build(const sp_scene *scene, const sp__pa
     sp__part_carve(pb, sp__part_live(scene, part), a);
     if (sp__failed(a)) return SP_E_MEMORY;
     for (int32_t i = part->block; i >= 0; i = part->block_next[i]) pb->block[row++] = i;
-    const sp_status status = sp__part_loads(part, pb);
+    const sp_status status = sp__problem_loads(pb, part->load, part->load_next);
     return status ? status : sp__part_contacts(part, pb);
 }
 

@@ -393,6 +393,22 @@ TEST(loads_that_cancel_swallow_no_weight)
     }
 }
 
+/* A push that moves the cube, or not, beside two loads that cancel: in the sum of those before it, it was less than rounding, and
+ * what falls was told to stand, or not, by the order of the loads. */
+TEST(a_third_load_was_swallowed_by_two_that_cancel)
+{
+    for (int k = 0; k < 12; k++) {
+        const double push = weight * (k < 6 ? 0.8 : 0.9), large = push * TOL(1e17, 1e8), sent[3] = { push, large, -large };
+        sp_scene s = cube(0.84);
+        for (int n = 0; n < 3; n++) {
+            const int which = n == 0 ? k % 3 : n == 1 ? (k % 3 + 1 + k / 3 % 2) % 3 : (k % 3 + 2 - k / 3 % 2) % 3;
+            const sp_load load = force(sent[which], 0, 0, 0.5, 0.5, 0);
+            CHECK_INT(sp_scene_load(&s, &load, NULL), SP_OK);
+        }
+        if (!CHECK_INT(verdict(&s), k < 6 ? SP_STABLE : SP_UNSTABLE)) TEST_PRINT("    order %d\n", k);
+    }
+}
+
 /* Lifted, but not at its centroid: it turns. */
 TEST(a_couple_on_what_touches_nothing_turns_it)
 {
@@ -531,6 +547,7 @@ TEST_LIST(loads)
     RUN(pulls_along_one_line_cancel)
     RUN(opposed_pushes_hide_no_weight)
     RUN(loads_that_cancel_swallow_no_weight)
+    RUN(a_third_load_was_swallowed_by_two_that_cancel)
     RUN(a_couple_on_what_touches_nothing_turns_it)
     RUN(a_large_multiple_of_a_small_load_counts)
     RUN(bad_loads_are_refused)
