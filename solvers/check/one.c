@@ -24,8 +24,7 @@ SP__NOINLINE static sp_status sp__find_help(const sp_problem *pb, const sp_setti
 /* Can a pull at some joint hold it? Not stones without a path to a support, nor where no stage was to be asked. */
 static int sp__may_be_helped(const sp_result *r)
 {
-    return r->verdict != SP_STABLE && r->reason != SP_REASON_STAGES && r->reason != SP_REASON_NO_SUPPORT
-        && r->reason != SP_REASON_NO_CONTACT;
+    return r->verdict != SP_STABLE && r->reason != SP_REASON_STAGES && sp__has_paths(r->reason);
 }
 
 /* The ladder of stages on a built problem, then the localisation where it does not stand. */

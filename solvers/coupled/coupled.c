@@ -3,6 +3,7 @@
 #ifndef SP__COUPLED_COUPLED_C
 #define SP__COUPLED_COUPLED_C
 
+#include "../statics/gates.c"
 #include "point.c"
 #include "help.c"
 #include "reflect.c"
@@ -232,7 +233,7 @@ SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_set
     sp_status status = SP_OK;
     if (out->reason != SP_COUPLING_STATICS) status = sp__coupled_ask(c, state, r, a);
     else out->cost.flops += SP__FLOPS_CERTIFICATE * (int64_t)c->j.sweeps * pb->points;
-    if (out->verdict != SP_COUPLING_COUPLED && set->localise && c->sbar_most > 0 && !status) {
+    if (out->verdict != SP_COUPLING_COUPLED && set->localise && c->sbar_most > 0 && !status && sp__has_paths(r->reason)) {
         const int64_t help = out->cost.flops + SP__CRA_FLOPS / 2;
         a->used = mark;
         if (!sp__cra_open(c, help < state->left ? help : state->left, NULL, a)) return SP_E_MEMORY;

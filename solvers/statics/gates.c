@@ -12,6 +12,9 @@
 
 #if SP__WITH_LARGE
 
+/* Has every stone a path to a support, as far as this reason tells? Without one no pull at a joint holds it. */
+static int sp__has_paths(sp_reason reason) { return reason != SP_REASON_NO_SUPPORT && reason != SP_REASON_NO_CONTACT; }
+
 /* Bytes of the stage: one number a block. */
 static size_t sp__gates_need(const sp_problem *pb, const sp_settings *set, sp_arena scratch)
 {

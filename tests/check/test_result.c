@@ -807,6 +807,11 @@ TEST(stones_without_a_path_to_a_support_cost_no_factorisation)
     CHECK_INT(r.reason, SP_REASON_NO_SUPPORT);
     CHECK_INT(r.spent.total.factorisations, 0);
     CHECK_INT(r.final, 1);
+#ifndef SP_NO_CRA
+    sp_settings set = sp_settings_default();            /* by a search for where help is wanted: hundreds of them */
+    set.coupled.asked = set.localise = 1;
+    CHECK_INT(check(&s, &set, SP_UNSTABLE).spent.total.factorisations, 0);
+#endif
 }
 
 TEST_LIST(result)
