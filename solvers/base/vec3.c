@@ -12,14 +12,15 @@ static sp_real sp__dot3(const sp_real a[3], const sp_real b[3]) { return a[0] * 
 static sp_real sp__norm3(const sp_real a[3])
 {
 #ifdef SP_REAL_FLOAT
-    const sp_real low = (sp_real)1e-12, high = (sp_real)1e12;
+    const sp_real low = (sp_real)1e-24, high = (sp_real)1e24;
 #else
-    const sp_real low = (sp_real)1e-140, high = (sp_real)1e140;
+    const sp_real low = (sp_real)1e-280, high = (sp_real)1e280;
 #endif
-    const sp_real x = sp__abs(a[0]), y = sp__abs(a[1]), z = sp__abs(a[2]), m = sp__max(x, sp__max(y, z));
-    if (m > low && m < high) return SP_SQRT(sp__dot3(a, a));
-    if (!(m > 0) || !sp__finite(m)) return x + y + z;
-    const sp_real s[3] = { x / m, y / m, z / m };
+    const sp_real square = sp__dot3(a, a);
+    if (square > low && square < high) return SP_SQRT(square);
+    const sp_real m = sp__abs(a[0]) + sp__abs(a[1]) + sp__abs(a[2]);
+    if (!(m > 0) || !sp__finite(m)) return m;
+    const sp_real s[3] = { a[0] / m, a[1] / m, a[2] / m };
     return m * SP_SQRT(sp__dot3(s, s));
 }
 
