@@ -48,7 +48,7 @@ SP__NOINLINE static sp_real sp__strong_step(sp__limit *L, sp_real c)
         if (!pass) { g->at += a; sp__system_axpy(w, a, g->q, w->r); }
     }
     sp__limit_loads(L, g->at);
-    return sp__newton_move(w, &g->n, &g->state);
+    return sp__newton_move(w, &g->n, 0, &g->state);
 }
 
 /* y for that c: by Newton, and where that stalls and `thorough` by the proximal path.     returns 1: it is found */

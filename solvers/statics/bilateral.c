@@ -35,7 +35,8 @@ static void sp__bilateral_correct(sp__system *w)
 }
 
 /* w->y: potential of the bilateral force of the load at hand, by the bilateral factor; w->d: what rounding left of it, y - d is
- * better. Worth nothing when w->budget.spent. */
+ * better. What is left after one solution is that of another squared, so that two will do; where the load has null vectors it
+ * falls more slowly, and is looked at. Worth nothing when w->budget.spent. */
 SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -43,14 +44,15 @@ SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
     sp__system_load(w, w->r);
     w->measure.load = sp__system_norm(w, w->r);
     w->singular = 0;
-    sp_real last = SP__HUGE;
+    sp_real last = w->measure.load;
     for (int it = 0; it < 6; it++) {
         sp__bilateral_correct(w);
         sp__system_axpy(w, -1, w->r, w->y);
         sp__system_gradient(w, SP__BILATERAL, w->y, w->r, NULL);
         if (w->budget.spent) return;
         const sp_real now = sp__system_norm(w, w->r);
-        if (!w->singular && now > SP__SCALE_TOL * w->measure.load) {    /* again, for a matrix with null vectors in the load */
+        const int solved = now <= (w->singular ? 64 * (sp_real)SP_EPSILON : SP__SCALE_TOL) * w->measure.load;
+        if (!w->singular && !solved && now > last / 1000) {     /* again, for a matrix with null vectors in the load */
             w->singular = 1;
             it = -1;
             last = SP__HUGE;
@@ -58,11 +60,15 @@ SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
             sp__system_load(w, w->r);
             continue;
         }
-        if (now <= 64 * (sp_real)SP_EPSILON * w->measure.load || now > last / 4) break;
+        if (solved || (w->singular && now > last / 4)) break;
         last = now;
     }
     sp__bilateral_correct(w);
-    memcpy(w->d, w->r, n * sizeof *w->d);
+    for (size_t k = 0; k < n; k++) {
+        const sp_real y = w->y[k] - w->r[k];
+        w->d[k] = w->r[k] - (w->y[k] - y);
+        w->y[k] = y;
+    }
 }
 
 /* Weights, factor and potential of the bilateral force, in the metric at hand. Factorises once. */

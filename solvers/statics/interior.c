@@ -227,15 +227,13 @@ static void sp__ipm_of_newton(sp__system *w, const sp__view *view, const sp_real
     if (!sp__vertex_slope(w, SP__ADMISSIBLE, view->c, u, D)) memset(D, 0, 6 * sizeof *D);
 }
 
-/* f <- P_K(f - D Aeq' d), D = E W^2 E', in units; before the first change of f it is P_K(E x / tau). m NULL: D = S DP_K and
- * f = S P_K of Newton's y: a y of a thousand times the forces' size has lost their last digits. Then r = Aeq g + p of
- * g = P_K(f - D Aeq' e). Changes add up in f, not in d: a large d, most of it a motion that hardly anything resists, would
- * hide small ones. */
-SP__NOINLINE static void sp__ipm_balance(sp__system *w, const sp__ipm *m, int first, const sp_real *d, const sp_real *e,
-                                         sp_state *state)
+/* f <- P_K(f - D Aeq' d), D = E W^2 E', in units; first: f <- P_K(E x / tau). m NULL: D = S DP_K and f = S P_K of Newton's y:
+ * a y of a thousand times the forces' size has lost their last digits. Then r = Aeq f + p. Changes add up in f, not in d: a
+ * large d, most of it a motion that hardly anything resists, would hide small ones. */
+SP__NOINLINE static void sp__ipm_balance(sp__system *w, const sp__ipm *m, int first, const sp_real *d, sp_state *state)
 {
     const sp_problem *pb = w->pb;
-    if (!sp__system_sweep(w, 4, 3)) return;
+    if (!sp__system_sweep(w, 3, 2)) return;
     sp__system_load(w, w->r);
     memset(w->carried, 0, 3 * (size_t)pb->blocks * sizeof *w->carried);
     for (int32_t c = 0; c < pb->contacts; c++) {
@@ -247,7 +245,6 @@ SP__NOINLINE static void sp__ipm_balance(sp__system *w, const sp__ipm *m, int fi
         if (m && view.g) sp__ipm_sides(w, c, view.g);
         sp__view_motion(w, &view, w->y, s->twist[0]);
         sp__view_motion(w, &view, d, s->twist[1]);
-        sp__view_motion(w, &view, e, s->twist[2]);
         for (int k = 0; k < 6; k++) Y[k] = 0;
         for (int32_t v = view.t->point; v < view.t->point + view.t->points; v++) {
             sp_real *f = state->f + 3 * (size_t)v;
@@ -259,13 +256,10 @@ SP__NOINLINE static void sp__ipm_balance(sp__system *w, const sp__ipm *m, int fi
             else sp__ipm_derivative(w, c, v, u, D, g);
             if (m && sp__ipm_idle(w, m, c, D)) { memset(f, 0, 3 * sizeof *f); continue; }
             if (first) sp__scale3(m ? 1 / m->tau : 1, g, f);
-            for (int k = 1; k < 3; k++) {
-                sp_real *out = k == 1 ? f : g;
-                sp__view_rates(w, &view, place, s->twist[k], u);
-                if (view.g) sp__wedge_change(w, c, view.g, D, u, f, out);
-                else sp__ipm_change(w, sp__system_scale(w, c), D, u, f, out);
-            }
-            sp__scale3(sp__system_multiplicity(w, v), g, g);
+            sp__view_rates(w, &view, place, s->twist[1], u);
+            if (view.g) sp__wedge_change(w, c, view.g, D, u, f, f);
+            else sp__ipm_change(w, sp__system_scale(w, c), D, u, f, f);
+            sp__scale3(sp__system_multiplicity(w, v), f, g);
             sp__view_gather(w, &view, place, g, Y);
             sp__view_widen(w, &view, g, s->m);
             sp__carry_add(w, view.t, pb->local[v], s->m, sp__view_norm(&view, g));
@@ -285,28 +279,36 @@ SP__NOINLINE static void sp__ipm_widen(const sp__system *w, sp_real *f)
     }
 }
 
+/* Where twice the same share of the imbalance is left, the step w->d is made so long that none would be; *share is 0 then.
+ *                                                                                                              [Aitken 1926] */
+SP__NOINLINE static void sp__ipm_leap(const sp__system *w, sp_real left, sp_real *share)
+{
+    const int same = sp__abs(left - *share) < (sp_real)0.05 * left && left > (sp_real)0.1 && left < (sp_real)0.95;
+    *share = same ? 0 : left;
+    for (size_t k = 0; same && k < 6 * (size_t)w->pb->blocks; k++) w->d[k] /= 1 - left;
+}
+
 /* Does the least change of x (m NULL: of Newton's forces) that balances leave the forces admissible? What is not is projected
  * and the rest balanced again while that gains. Then state->f holds them. */
 SP__NOINLINE static void sp__ipm_forces(sp__system *w, const sp__ipm *m, sp__newton *n, sp_state *state)
 {
-    const size_t size = 6 * (size_t)w->pb->blocks;
-    sp_real last = SP__HUGE, strict = SP__HUGE;
+    sp_real last = SP__HUGE, strict = SP__HUGE, share = 0;
     int more = 8;                                       /* once balanced: lightly loaded blocks come to rest last */
-    memset(state->dq, 0, size * sizeof *w->d);
-    memset(w->d, 0, size * sizeof *w->d);
-    for (int it = 0; ; it++) {                          /* ends with state->f as good as it was found */
+    memset(w->d, 0, 6 * (size_t)w->pb->blocks * sizeof *w->d);
+    for (int it = 0; ; it++) {
         sp__carry_begin(w);
-        sp__ipm_balance(w, m, it == 0, state->dq, w->d, state);
-        const sp_real now = sp__system_imbalance(w, w->r);
+        sp__ipm_balance(w, m, it == 0, w->d, state);
+        const sp_real left = sp__system_imbalance(w, w->r) / strict;
+        strict *= left;
         w->carried = NULL;
         if (w->budget.spent) return;
         n->imbalance = sp__system_imbalance(w, w->r);
-        const int slow = n->imbalance > SP__GAIN * last && now > SP__GAIN * strict;
-        if (it == 60 || (slow && (last > n->goal || now >= strict || !more--))) break;
+        const int slow = share > 0 && n->imbalance > SP__GAIN * last && left > SP__GAIN;
+        const int vain = m && it == 0 && n->imbalance > SP__NO_START;
+        if (it == 60 || vain || strict <= SP__CLOSE || (slow && (last > n->goal || left >= 1 || !more--))) break;
         last = n->imbalance;
-        strict = now;
-        memcpy(state->dq, w->d, size * sizeof *w->d);
         sp__system_solve(w, w->r, w->d);
+        sp__ipm_leap(w, left, &share);
     }
     n->imbalance = strict;
     if (strict > SP__ENOUGH * w->set->tol) return;
@@ -443,7 +445,7 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
 {
     sp_real cones = sp__ipm_cones(w);
     if (w->budget.spent) return 0;                      /* maybe before there were sizes */
-    m->idle = 0;
+    m->idle = m->again = 0;
     m->capped = sp__problem_strong(w->pb) ? w->capped : NULL;
     const int most = m->capped && !state->brief ? SP__IPM_PATIENT : SP__IPM_IDLE;
     m->kappa_weight = sp__max(1, cones / 10);
@@ -460,7 +462,13 @@ SP__NOINLINE static int sp__ipm_run(sp__system *w, sp__ipm *m, sp__newton *n, sp
         n->left--;
         state->cost.iterations++;
         state->cost.interior++;
-        if (m->outside) break;
+        if (m->outside && (!m->capped || m->again)) break;
+        if (m->outside) {                               /* with strength rounding may lead out: once more, on another way */
+            m->again = 1;
+            m->kappa_weight = 3 * cones;
+            sp__ipm_start(w, m);
+            continue;
+        }
         if (m->capped) m->capped->held = m->capped->reserve;
         m->mu = (m->gap + m->tau * m->kappa) / (cones + m->kappa_weight);
         sp__ipm_forces(w, m, n, state);

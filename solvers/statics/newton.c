@@ -41,8 +41,9 @@ SP__NOINLINE static void sp__line_begin(const sp__system *w, const sp__newton *n
     l->noise = 64 * (sp_real)SP_EPSILON * w->measure.load * sp__system_norm(w, w->d);
 }
 
-/* y += s d. The whole step is tried first: its gradient gives the slope there, and mostly no shorter step is needed. */
-SP__NOINLINE static sp_real sp__newton_move(sp__system *w, sp__newton *n, sp_state *state)
+/* y += s d. The whole step is tried first: its gradient gives the slope there, and mostly no shorter step is needed. Where a
+ * first one leads so far astray that few of its digits would be left, s = 0. */
+SP__NOINLINE static sp_real sp__newton_move(sp__system *w, sp__newton *n, int first, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     sp__line l;
@@ -54,7 +55,7 @@ SP__NOINLINE static sp_real sp__newton_move(sp__system *w, sp__newton *n, sp_sta
     const sp_real f = sp__dot(w->r, w->d, size) + l.yd + l.dd;
     if (l.start < -l.noise && sp__abs(f) > sp__line_enough(&l)) {
         memcpy(w->y, start, size * sizeof *w->y);
-        s = sp__newton_search(w, &l, f);
+        s = first && f > SP__ASTRAY * sp__abs(l.start) ? 0 : sp__newton_search(w, &l, f);
         sp__system_axpy(w, s, w->d, w->y);
         sp__newton_residual(w);
     }
@@ -90,7 +91,7 @@ SP__NOINLINE static void sp__newton_try_rigid(sp__system *w, sp__newton *n, sp_r
 }
 
 /* One Newton step; returns its length. On the way y, the step and what inverse iteration makes of them are tried as proofs. */
-SP__NOINLINE static sp_real sp__newton_step(sp__system *w, sp__newton *n, sp_state *state)
+SP__NOINLINE static sp_real sp__newton_step(sp__system *w, sp__newton *n, int first, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     sp__system_factor(w, SP__ADMISSIBLE, w->y, n->prox + n->shift);
@@ -105,7 +106,7 @@ SP__NOINLINE static sp_real sp__newton_step(sp__system *w, sp__newton *n, sp_sta
     for (size_t k = 0; k < size; k++) w->d[k] = -w->r[k] - n->prox * w->y[k];
     sp__system_solve(w, w->d, w->d);
     sp__newton_record_proof(w, n, w->d, state);
-    const sp_real s = sp__newton_move(w, n, state);
+    const sp_real s = sp__newton_move(w, n, first, state);
     if (n->imbalance > n->goal && !n->proved) {
         sp__newton_record_proof(w, n, w->y, state);
         if (s > 10) sp__newton_purify(w, n, w->d, state);
@@ -121,13 +122,13 @@ static void sp__newton_correct(sp__system *w)
     sp__system_axpy(w, 1, w->d, w->y);
 }
 
-/* The goal is reached: a few more steps with the factor at hand while each gains a digit; then imbalance as forces are judged,
- * and more steps where that asks for them. What is good enough goes to state->f. */
+/* The goal is reached: where digits lack, a few more steps with the factor at hand while each gains one; then imbalance as
+ * forces are judged, and more steps where that asks for them. What is good enough goes to state->f. */
 SP__NOINLINE static void sp__newton_finish(sp__system *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     if (n->found || n->proved || n->imbalance > n->goal) return;
-    for (int it = 0; it < 4; it++) {
+    for (int it = 0; it < 4 && n->imbalance > SP__CLOSE; it++) {
         const sp_real last = n->imbalance;
         sp__newton_correct(w);
         sp__newton_measure(w, n, state);
@@ -157,8 +158,8 @@ SP__NOINLINE static int sp__newton_adapt_shift(sp__newton *n, sp_real s)
     return tiny;
 }
 
-/* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps, or in float after a
- * far one that leaves more imbalance than load. */
+/* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps, a first one that leads astray, or in float
+ * after a far one that leaves more imbalance than load. */
 SP__NOINLINE static void sp__newton_plain(sp__system *w, sp__newton *n, sp_state *state)
 {
     int tiny = 0;
@@ -166,8 +167,8 @@ SP__NOINLINE static void sp__newton_plain(sp__system *w, sp__newton *n, sp_state
     n->stalled = 0;
     n->shift = SP__SHIFT;
     for (int it = 0; it < 12 && sp__newton_work_left(w, n) && n->imbalance > n->goal && !n->proved && tiny < 2; it++) {
-        const sp_real s = sp__newton_step(w, n, state);
-        tiny += s > SP__FAR && n->imbalance > 1 ? 2 : sp__newton_adapt_shift(n, s);
+        const sp_real s = sp__newton_step(w, n, it == 0 && !n->falls && sp__reduced(w), state);
+        tiny += !(s > 0) || (s > SP__FAR && n->imbalance > 1) ? 2 : sp__newton_adapt_shift(n, s);
     }
 }
 
@@ -215,7 +216,7 @@ SP__NOINLINE static void sp__newton_path(sp__system *w, sp__newton *n, sp_state 
     n->level = SP__HUGE;
     sp__newton_measure(w, n, state);
     for (int extra = 8; extra > 0 && sp__newton_work_left(w, n) && n->imbalance > n->goal && !n->proved; ) {
-        sp__newton_step(w, n, state);
+        sp__newton_step(w, n, 0, state);
         if (n->prox <= SP__SHIFT) {
             if (extra-- == 8) sp__newton_restore(w, n, state);
             continue;

@@ -64,11 +64,11 @@ SP__NOINLINE static void sp__penalty_descend(sp__system *w, sp__newton *n, sp_st
     n->shift = SP__HELP_SHIFT;
     for (w->law.soft = (sp_real)0.1; w->law.soft > 3 * soft && soft > 0; w->law.soft /= 10) {
         sp__newton_measure(w, n, state);
-        if (sp__newton_work_left(w, n) && n->imbalance > (sp_real)0.01) sp__newton_step(w, n, state);
+        if (sp__newton_work_left(w, n) && n->imbalance > (sp_real)0.01) sp__newton_step(w, n, 0, state);
     }
     w->law.soft = soft;
     sp__newton_measure(w, n, state);
-    while (sp__newton_work_left(w, n) && n->imbalance > n->goal) sp__newton_step(w, n, state);
+    while (sp__newton_work_left(w, n) && n->imbalance > n->goal) sp__newton_step(w, n, 0, state);
 }
 
 /* The penalty form, reduced where the scene lets it. It is solved as far as `least`, the imbalance that no admissible forces

@@ -48,7 +48,8 @@ typedef struct sp__ipm {
     int16_t outside;                    /* x or z is no longer inside, by rounding */
     int16_t kept;                       /* targets of a step are kept behind x, in copy 1 or 2; 0: they are not */
     sp__pass pass;                      /* right-hand side; step length; step */
-    int corrected;                      /* the product of the predictor's changes is taken into account */
+    int16_t again;                      /* with strength: begun anew after rounding had led out of the cones */
+    int16_t corrected;                  /* the product of the predictor's changes is taken into account */
     int16_t ray;                        /* forces are asked for the live loads alone */
     int16_t idle;                       /* steps that got nowhere, one after the other */
     sp__capped *capped;                 /* NULL: no joint has strength */

@@ -75,7 +75,7 @@ static void sweep(const budget_case *c, int steps, sp_choice choice)
     last.final = 0;
     int better = 0;
     for (int k = 1; k <= steps + beyond; k++) {
-        set.budget = (int64_t)((double)all.spent.total.flops * (k <= steps ? 0.9936 * k / steps : 1.0571 + 2.0 / beyond * (k - steps))) + 1;
+        set.budget = (int64_t)((double)all.spent.total.flops * (k <= steps ? 0.9936 * k / steps : 1.0571 + 3.0 / beyond * (k - steps))) + 1;
         test_arena.used = mark;
         const sp_result r = check(&s, &set);
         CHECK(r.spent.total.flops <= set.budget);
