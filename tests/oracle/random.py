@@ -153,11 +153,12 @@ def judge(cli, scene, problem, cone, gravity, want, distance, label, tols=TOLS[:
 
 
 def judge_limit(cli, scene, cone, h, top, bottom, size, label):
-    """The program's multiplier against that of the programme: right, undecided or wrong."""
+    """The program's multiplier against that of the programme, and whether it falls under dead loads: right, undecided (either of
+    the two) or wrong."""
     out = subprocess.run([cli, "limit", "--json", "--cone", cone, "--body=%r,%r,%r" % tuple(map(float, h)), "-"],
                          input=scene.text(), capture_output=True, text=True)
     r = json.loads(out.stdout) if out.returncode in (0, 2) else dict(multiplier="status %d" % out.returncode)
-    got, most = r["multiplier"], 1e-6 * size + top.error()
+    got, falls, most = r["multiplier"], r.get("falls_under_dead_loads"), 1e-6 * size + top.error()
     if top.high < 0:                                    # dead loads fall, and a push this way makes it worse
         how = "right" if got is None else "undecided" if got == "undecided" else "wrong"
     elif got == "undecided":
@@ -166,9 +167,10 @@ def judge_limit(cli, scene, cone, h, top, bottom, size, label):
         how = "wrong" if out_of else "undecided"
     else:
         how = "right" if isinstance(got, (int, float)) and abs(got - top.value) <= most and r["verified"] else "wrong"
-        falls = r.get("falls_under_dead_loads")
         if bottom.status == "limit" and abs(bottom.value) > 1e-6 * size + bottom.error() and falls is (bottom.value > 0):
             how = "wrong"
+    if how == "right" and falls is None:
+        how, got = "undecided", "%s, dead loads undecided" % got
     return dict(how=how, got=str(got), want=repr(top.value), distance=0, omega=0, least=0, tol=TOLS[0], label=label, cone=cone,
                 text=scene.text() if how == "wrong" else None)
 
