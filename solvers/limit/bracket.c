@@ -16,6 +16,7 @@ typedef struct sp__bracket {
     sp_real *dq, *whole;                /* 6b: the motion; with what is held in dq */
     sp_real imbalance, least, resist;       /* resist: work that joints with strength take of the motion certified last [N m] */
     int32_t final;
+    int slight;                         /* a motion that no contact resists proves as sp_verify has it, within tol, too */
     int spent;                          /* a certificate check did not fit */
     int64_t limit;                      /* flops in all */
     sp_cost cost;

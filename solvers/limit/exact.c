@@ -130,6 +130,32 @@ SP__NOINLINE static sp_verdict sp__engine_ask(sp__engine *g, sp__bracket *b, sp_
     return claim;
 }
 
+/* As a check asks: with all iterations, no way given up early, in 3 rows or in `all`.      returns 1: f carries dead + l live,
+ * whatever was claimed; else b->dq is what may fall */
+SP__NOINLINE static int sp__engine_check(sp__engine *g, sp__bracket *b, sp_real l, int all, sp_real *f)
+{
+    sp_verdict claim = SP_UNDECIDED;
+    sp_arena room = g->rest;
+    memset(b->dq, 0, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
+    sp__bracket_load(b, 1, l);
+    g->n.left = g->most = b->wide.iterations;
+    sp_status status = sp__engine_gates(g, b, f, &claim);
+    if (status || g->state.left <= 0) return 0;
+    g->state.brief = 0;
+    sp__reduction *o = claim || all ? NULL : sp__take(&room, 1, sizeof *o);
+    if (!claim && all) status = sp__exact_run(&b->pb, &b->set, &g->state, &room, &claim);
+    else if (o && sp__reduction_choose(&b->pb, &b->wide, o))
+        status = sp__exact_search(&b->pb, &b->set, o, &g->state, &room, &claim);
+    else if (!claim) return 0;
+    sp__cost_add(&b->cost, &g->state.cost);
+    if (status) return 0;
+    memcpy(b->dq, g->state.dq, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
+    if (claim == SP_UNSTABLE) return 0;
+    if (sp__bracket_stands(b, 1, l, f, f)) return 1;
+    sp__drop_tiny_forces(f, b->pb.points, (sp_real)1e-6);
+    return sp__bracket_stands(b, 1, l, f, f);
+}
+
 /* Does the motion that the engine claims to fall at lambda pass the certificate check?
  *   *beyond: and at every larger multiple */
 static int sp__engine_falls(sp__bracket *b, sp_real lambda, int *beyond)

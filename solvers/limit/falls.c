@@ -30,27 +30,28 @@ SP__NOINLINE static int sp__bracket_falls(sp__bracket *b, sp_real lambda, int be
 {
     const size_t bytes = 6 * (size_t)b->pb.blocks * sizeof *b->dq;
     sp_real value[6] = { 0 };
-    int32_t final[6] = { 0 };
+    int32_t rank[6] = { 0 }, final;
     memcpy(b->whole, b->dq, bytes);
     for (int pass = 0; pass < 7; pass++) {
         sp__certifier *j = &b->certifier;
         int k = 0;
         if (!sp__bracket_certify_begin(b, 1, lambda)) return 0;
         if (pass == 0) {
-            for (k = 0; k < 6; k++) value[k] = sp__certify_motion(j, b->whole, sp__certify_rest[k], &final[k]);
+            for (k = 0; k < 6; k++) {
+                value[k] = sp__certify_motion(j, b->whole, sp__certify_rest[k], &final);
+                rank[k] = sp__certify_rank(j, value[k], final);
+            }
             sp__bracket_certify_end(b);
             continue;
         }
-        for (int q = 1; q < 6; q++) {                   /* a final proof before others, then the best */
-            const int proof = value[q] > b->set.tol, before = value[k] > b->set.tol;
-            if (proof && (!before || final[q] > final[k] || (final[q] == final[k] && value[q] > value[k]))) k = q;
-        }
-        if (!(value[k] > b->set.tol)) break;
+        for (int q = 1; q < 6; q++)                     /* a final proof before others, then the best */
+            if (rank[q] > rank[k] || (rank[q] == rank[k] && value[q] > value[k])) k = q;
+        if (rank[k] < (b->slight ? 1 : 2)) break;
         b->least = sp__certify_motion(j, b->whole, sp__certify_rest[k], &b->final);
         if (all) sp__motion_write(j, all);
         sp__bracket_take_motion(b);
         if (!beyond || sp__bracket_falls_beyond(b)) return 1;
-        value[k] = 0;
+        rank[k] = 0;
     }
     memcpy(b->dq, b->whole, bytes);
     return 0;

@@ -93,13 +93,19 @@ static sp_real sp__limit_forgiven(const sp__limit *L)
     return r->upper < 0 ? 0 : r->tol * sp__ratio(r->upper / L->ref - sp__limit_balance(L), r->least_imbalance);
 }
 
+/* How wide a bracket is closed. */
+static sp_real sp__limit_wide(const sp__limit *L)
+{
+    const sp_real most = sp__max(L->slack, sp__limit_forgiven(L));
+    const sp_real slack = !SP__WITH_INTERIOR ? 0 : most < SP__LIMIT_SLACK ? most : SP__LIMIT_SLACK;
+    return SP__LIMIT_WIDE * L->r.tol * (sp__abs(L->r.lower) + L->ref) + 4 * slack * L->ref;
+}
+
 /* The result that both ends of the bracket give. */
 static void sp__limit_conclude(sp__limit *L)
 {
     sp_limit_result *r = &L->r;
-    const sp_real most = sp__max(L->slack, sp__limit_forgiven(L));
-    const sp_real slack = !SP__WITH_INTERIOR ? 0 : most < SP__LIMIT_SLACK ? most : SP__LIMIT_SLACK;
-    const sp_real wide = SP__LIMIT_WIDE * r->tol * (sp__abs(r->lower) + L->ref) + 4 * slack * L->ref;
+    const sp_real wide = sp__limit_wide(L);
     const int never = L->none || (r->lower < 0 && !(r->upper > 0));
     if (never) r->kind = r->upper < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_NONE;
     else if (r->kind == SP_LIMIT_UNBOUNDED) r->kind = r->lower < 0 ? SP_LIMIT_UNDECIDED : SP_LIMIT_UNBOUNDED;
@@ -117,17 +123,17 @@ static void sp__limit_conclude(sp__limit *L)
 }
 
 /* Does it stand under the dead loads alone? If not, from which multiple on? Each collapse that live loads hinder gives a larger
- * lower bound of that multiple, by Newton's method on the least imbalance. */
-SP__NOINLINE static void sp__limit_lowest(sp__limit *L)
+ * lower bound of that multiple, by Newton's method on the least imbalance.     a: asked first, 0 or above what falls */
+SP__NOINLINE static void sp__limit_lowest(sp__limit *L, sp_real a)
 {
     sp__bracket *b = &L->bracket;
     sp_limit_result *r = &L->r;
-    sp_real a = 0;
     r->lowest = r->lower;
     if (r->kind == SP_LIMIT_NONE) r->dead = SP_UNSTABLE;
     else if (!(r->lower > 0) && r->lower >= 0) r->dead = SP_STABLE;
     if (r->dead == SP_STABLE) r->lowest = 0;
     const int strong = sp__limit_strong(L);
+    const int first = !(a > 0);
     sp_real fell = 0;
     int slow = 0;                                       /* as L->slow, from below */
     sp__aside o = { SP__HUGE, 0 };
@@ -136,7 +142,7 @@ SP__NOINLINE static void sp__limit_lowest(sp__limit *L)
         const sp_verdict claim = sp__limit_ask(L, 1, a, L->f);
         if (claim == SP_STABLE) {
             r->lowest = a * L->ref;
-            if (!it) r->dead = SP_STABLE;
+            if (!it && first) r->dead = SP_STABLE;
             if (SP__WITH_INTERIOR && r->kind == SP_LIMIT_UNBOUNDED) sp__limit_carried(L, r->lowest, L->f);  /* from there on */
             if (!strong || !it || o.open < a || a - fell <= SP__LIMIT_HALVED * b->set.tol * (1 + a)) return;
             a = slow ? (fell + a) / 2 : fell + SP__LIMIT_STEP * b->set.tol * (1 + fell);
@@ -159,6 +165,63 @@ SP__NOINLINE static void sp__limit_lowest(sp__limit *L)
     }
 }
 
+#if SP__WITH_INTERIOR
+/* A whole check at a.      returns STABLE: L->f carries it; UNSTABLE: bracket.dq falls, if *beyond at all larger multiples */
+static sp_verdict sp__limit_check(sp__limit *L, sp_real a, int *beyond)
+{
+    for (int all = 0; all < 2; all++) {
+        if (sp__engine_check(&L->engine, &L->bracket, a * L->ref, all, L->f)) return SP_STABLE;
+        if (sp__engine_falls(&L->bracket, a * L->ref, beyond)) return SP_UNSTABLE;
+    }
+    return SP_UNDECIDED;
+}
+
+/* The collapse at hand, at a, is one that live loads hinder: less than its balance does not stand. */
+static void sp__limit_hindered(sp__limit *L, sp_real a)
+{
+    L->least = sp__max(a, sp__limit_balance(L));
+    memcpy(L->lower, L->bracket.dq, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->lower);
+}
+
+/* The dead loads by a whole check. */
+static void sp__limit_check_dead(sp__limit *L)
+{
+    sp_limit_result *r = &L->r;
+    int beyond = 0;
+    r->dead = sp__limit_check(L, 0, &beyond);
+    if (r->dead == SP_STABLE) {
+        r->lowest = 0;
+        if (r->lower < 0) sp__limit_carried(L, 0, L->f);
+    }
+    if (r->dead != SP_UNSTABLE) return;
+    if (!beyond) sp__limit_hindered(L, 0);
+    else L->none = r->lower < 0 && sp__limit_upper_at(L, 0);
+}
+
+/* What is open by now is asked of a whole check: the dead loads, and from where on it stands. Not where the caller
+ * wants less work than theirs. */
+SP__NOINLINE static void sp__limit_last(sp__limit *L, int endless)
+{
+    sp_limit_result *r = &L->r;
+    if ((r->kind && r->dead) || sp__engine_flops(&L->bracket) <= 0 || L->bracket.wide.iterations < SP__ITERATIONS) return;
+    const int open = !r->kind;
+    L->bracket.slight = 1;
+    L->least = 0;
+    memset(L->lower, 0, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->lower);
+    if (!r->dead) sp__limit_check_dead(L);
+    const sp_real fell = L->least;
+    if (open) {
+        if (endless) r->kind = SP_LIMIT_UNBOUNDED;
+        sp__limit_conclude(L);
+        if (r->kind == SP_LIMIT_NONE) r->dead = SP_UNSTABLE;
+    }
+    L->engine.n.left = L->engine.most;
+    if (r->dead == SP_UNSTABLE) sp__limit_lowest(L, fell + SP__LIMIT_STEP * r->tol * (1 + fell));
+}
+#else
+static void sp__limit_last(sp__limit *L, int endless) { (void)L; (void)endless; }
+#endif
+
 /* Search, then both ends; `a` is used up. */
 SP__NOINLINE static sp_status sp__limit_decide(sp__limit *L, sp_arena *a)
 {
@@ -169,8 +232,10 @@ SP__NOINLINE static sp_status sp__limit_decide(sp__limit *L, sp_arena *a)
     if (!done && !L->none) sp__limit_newton(L);
     sp__limit_endless(L);
     if (L->none || (L->r.kind != SP_LIMIT_UNBOUNDED && L->best < SP__HUGE)) sp__limit_upper(L);
+    const int endless = L->r.kind == SP_LIMIT_UNBOUNDED;
     sp__limit_conclude(L);
-    sp__limit_lowest(L);
+    sp__limit_lowest(L, 0);
+    sp__limit_last(L, endless);
     if (SP__WITH_INTERIOR && L->r.upper < 0) memset(L->r.dq, 0, 6 * (size_t)b->scene.count.blocks * sizeof *L->r.dq);
     if (L->r.kind != SP_LIMIT_UNBOUNDED) memset(L->r.ray, 0, 3 * (size_t)b->pb.points * sizeof *L->r.ray);
     return SP_OK;

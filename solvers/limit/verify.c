@@ -23,6 +23,7 @@ SP__NOINLINE static int sp__bracket_verify(sp__bracket *b, const sp_limit_result
     if (r->kind != SP_LIMIT_NONE && !sp__bracket_stands(b, 1, r->lower, r->f, NULL)) return 0;
     if (r->kind == SP_LIMIT_UNBOUNDED) return 1;
     sp__motion_read(&b->pb, r->dq, b->dq);
+    b->slight = 1;
     return sp__bracket_falls(b, r->kind == SP_LIMIT_NONE ? 0 : r->upper, 1, NULL);
 }
 

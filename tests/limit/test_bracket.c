@@ -593,6 +593,7 @@ TEST(what_is_no_question_is_refused)
 }
 
 #if !defined SP_REAL_FLOAT && !defined SP_REAL_MIXED && !defined SP_REAL_QUAD && !defined SP_NO_IPM && !defined SP_SMALL
+#include "../scenes/heavy.h"
 #include "../scenes/vaults.h"
 
 /* A question a few tol below the limit was left open and took all the work that was left: the limit was undecided. Now no question
@@ -648,6 +649,25 @@ TEST(loads_that_nearly_cancel_end_as_near_as_what_is_left_of_them)
         CHECK_WITHIN(x.multiplier, x.lower, 2e-7 * fabs(1 - (double)x.multiplier));
     }
 }
+
+/* Of each of these scenes a check decided the dead loads, and the limit left them open: its questions had spent what there was
+ * to spend, or what falls does so by less than tol, though no contact resists. */
+TEST(dead_loads_that_a_check_decides_are_decided)
+{
+    static const uint32_t number[] = { 20, 31, 57, 155, 346, 354, 446, 610, 696, 707, 721, 936, 1472, 1912, 2403, 2405, 2572 };
+    int decided = 0;
+    for (size_t k = 0; k < sizeof number / sizeof *number; k++) {
+        sp_scene s;
+        if (!heavy_stones(number[k], &s)) continue;
+        const sp_verdict dead = verdict_at(s, NULL, 0);
+        const sp_limit_result x = limit_of(&s, NULL);
+        decided += dead != SP_UNDECIDED;
+        if (dead != SP_UNDECIDED && !CHECK_INT(x.dead, dead)) TEST_PRINT("  number %d\n", (int)number[k]);
+        if (x.kind == SP_LIMIT_NONE) CHECK_INT(x.dead, SP_UNSTABLE);
+        if (x.dead == SP_STABLE) CHECK_WITHIN(x.lowest, 0, 0);
+    }
+    CHECK(decided >= 15);
+}
 #endif
 
 TEST_LIST(bracket)
@@ -675,5 +695,6 @@ TEST_LIST(bracket)
 #if !defined SP_REAL_FLOAT && !defined SP_REAL_MIXED && !defined SP_REAL_QUAD && !defined SP_NO_IPM && !defined SP_SMALL
     RUN(limits_that_one_open_question_spent_are_closed_from_both_sides)
     RUN(loads_that_nearly_cancel_end_as_near_as_what_is_left_of_them)
+    RUN(dead_loads_that_a_check_decides_are_decided)
 #endif
 TEST_END

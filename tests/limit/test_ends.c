@@ -344,7 +344,7 @@ TEST(a_lower_end_of_0_stands_under_dead_loads)
         L->engine.n.left = 0;
         L->r.kind = (sp_limit_kind)row[k].kind;
         L->r.lower = R(row[k].lower);
-        sp__limit_lowest(L);
+        sp__limit_lowest(L, 0);
         CHECK_INT(L->r.dead, row[k].dead);
         CHECK_NEAR(L->r.lowest, row[k].lowest, 0);
         whole();
