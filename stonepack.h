@@ -822,8 +822,8 @@ typedef struct sp_limit_result {
 /* How much of the live loads? By a primal-dual interior-point method in forces, motion and lambda at once, whose last answer
  * is made exact and then verified from both sides. Joints with strength: what loads without end leave of them (friction;
  * nothing of one that may crush) tells whether there is an end; it is sought by Newton's method on the exact stage's dual, with
- * lambda in it. What either leaves open is left to the exact stage, by Newton's method on the power balance; the dead loads
- * to a whole check, where 300 iterations or more may be spent.
+ * lambda in it. What either leaves open is left to the exact stage, by Newton's method on the power balance; the dead loads,
+ * and ends that are still apart, to whole checks, up to 40 between the ends, where 300 iterations or more may be spent.
  *   scene     its `live` is not read
  *   settings  NULL: the default ones; read are tol, force_bound, faces, inscribed, iterations (four times as many where joints
  *             have strength), budget, and effect of the third dimension, which is left out as by a check: 3 rows a block where

@@ -11,6 +11,8 @@
 #define SP__LIMIT_ROUNDS (SP__WITH_SMALL ? 10 : 8)       /* slacks that are tried, each twice the last */
 #define SP__LIMIT_ROUNDS_STRONG 14      /* where joints have strength: tol may blur the limit by more */
 #define SP__LIMIT_ENDLESS 5             /* multiples, each 16 times the last, that are tried where there seems to be no end */
+#define SP__LIMIT_CHECKS 40             /* checks between both ends, where the search leaves them apart */
+#define SP__LIMIT_OPEN 4                /* of them so many left open: the rest is within rounding of the limit */
 #define SP__LIMIT_SLACK ((sp_real)0.01) /* what tol adds to a motion's balance may widen it by no more, in ref */
 
 /* Is lambda proved for an upper end, by the motion at hand? */
@@ -198,7 +200,58 @@ static void sp__limit_check_dead(sp__limit *L)
     else L->none = r->lower < 0 && sp__limit_upper_at(L, 0);
 }
 
-/* What is open by now is asked of a whole check: the dead loads, and from where on it stands. Not where the caller
+/* The upper end by the motion at hand, as near to its power balance as that proves it, no farther than lambda: a motion that no
+ * contact resists falls by more than rounding there. L->upper keeps r.dq of it, digit by digit.    returns 0: it is none */
+static int sp__limit_upper_near(sp__limit *L, sp_real lambda)
+{
+    const sp_real balance = sp__limit_balance(L);
+    sp_real apart = SP__LIMIT_STEP * L->r.tol * (1 + sp__abs(balance));
+    while (balance + apart < lambda / L->ref && !sp__limit_upper_at(L, sp__max(0, balance + apart) * L->ref)) apart *= 8;
+    if (!(balance + apart < lambda / L->ref) && !sp__limit_upper_at(L, lambda)) return 0;
+    sp__motion_read(&L->bracket.pb, L->r.dq, L->upper);
+    L->slack = 0;
+    return 1;
+}
+
+/* Ends that the search left apart, by whole checks at multiples between, each in the middle of what is open. One that is left
+ * open itself is near the limit: the wider side of it is next. */
+SP__NOINLINE static void sp__limit_halve(sp__limit *L)
+{
+    sp_limit_result *r = &L->r;
+    const size_t bytes = 6 * (size_t)L->bracket.pb.blocks * sizeof *L->upper;
+    sp_real open[2] = { 0, 0 };                         /* between these multiples checks are left open */
+    int it = 0, opened = 0;
+    sp__motion_read(&L->bracket.pb, r->dq, L->upper);
+    memcpy(L->bracket.dq, L->upper, bytes);
+    if (r->upper > 0 && sp__bracket_resists(&L->bracket, r->upper)) sp__limit_upper_near(L, r->upper);
+    for (int beyond = 0; it < SP__LIMIT_CHECKS && opened < SP__LIMIT_OPEN && sp__engine_flops(&L->bracket) > 0; it++) {
+        const sp_real low = sp__max(L->least, r->lower / L->ref), high = r->upper < 0 ? 8 * low + 2 : r->upper / L->ref;
+        if (!(high - low > (r->lower < 0 ? SP__LIMIT_STEP : SP__LIMIT_WIDE) * r->tol * (1 + low))) break;
+        if (r->upper < 0 && low > SP__LIMIT_FAR) break;
+        if (!(open[1] > low && open[0] < high)) open[0] = open[1] = 0;
+        const int above = !(open[1] > 0) || high - open[1] > open[0] - low;
+        const sp_real a = !(open[1] > 0) ? (low + high) / 2 : above ? (open[1] + high) / 2 : (low + open[0]) / 2;
+        const sp_verdict claim = sp__limit_check(L, a, &beyond);
+        if (claim == SP_STABLE) sp__limit_carried(L, a * L->ref, L->f);
+        else if (claim == SP_UNSTABLE && !beyond) sp__limit_hindered(L, a);
+        else if (claim == SP_UNDECIDED || !sp__limit_upper_near(L, a * L->ref)) {
+            opened++;
+            if (above) open[1] = a;
+            if (!above || !(open[0] > 0)) open[0] = a;
+        }
+    }
+    L->engine.n.left = it < SP__LIMIT_CHECKS;
+    if (r->upper < 0) return;
+    for (int32_t i = 0; i < L->bracket.pb.blocks; i++)  /* what did not prove a nearer one goes */
+        memcpy(r->dq + 6 * (size_t)L->bracket.pb.block[i], L->upper + 6 * (size_t)i, 6 * sizeof *r->dq);
+    memcpy(L->bracket.dq, L->upper, bytes);
+    sp__bracket_resists(&L->bracket, r->upper);
+    memcpy(L->upper, L->bracket.dq, bytes);
+    L->best = sp__limit_balance(L);
+    if (r->lower < 0 && sp__limit_never_stands(L)) L->none = sp__limit_upper_at(L, 0);
+}
+
+/* What is open by now is asked of whole checks: the dead loads, the ends, and from where on it stands. Not where the caller
  * wants less work than theirs. */
 SP__NOINLINE static void sp__limit_last(sp__limit *L, int endless)
 {
@@ -212,6 +265,7 @@ SP__NOINLINE static void sp__limit_last(sp__limit *L, int endless)
     const sp_real fell = L->least;
     if (open) {
         if (endless) r->kind = SP_LIMIT_UNBOUNDED;
+        else if (!L->none) sp__limit_halve(L);
         sp__limit_conclude(L);
         if (r->kind == SP_LIMIT_NONE) r->dead = SP_UNSTABLE;
     }

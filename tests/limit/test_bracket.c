@@ -668,6 +668,69 @@ TEST(dead_loads_that_a_check_decides_are_decided)
     }
     CHECK(decided >= 15);
 }
+
+/* At no multiple a check found that it stands, and no end was found. */
+TEST(what_stands_at_no_multiple_is_no_longer_left_open)
+{
+    static const uint32_t number[] = { 20, 233, 291, 401, 446, 460, 696, 721, 791, 826, 1161, 1268, 1373, 1458, 1810, 2809 };
+    for (size_t k = 0; k < sizeof number / sizeof *number; k++) {
+        sp_scene s;
+        if (!heavy_stones(number[k], &s)) continue;
+        const sp_limit_result x = limit_of(&s, NULL);
+        if (!CHECK_INT(x.kind, SP_LIMIT_NONE)) TEST_PRINT("  number %d\n", (int)number[k]);
+        for (double live = 1e-6; live < 1e4; live *= 100) CHECK(verdict_at(s, NULL, live) != SP_STABLE);
+    }
+}
+
+/* The search ended with both ends apart, and checks between would have told more. */
+TEST(ends_that_a_search_leaves_apart_are_closed_by_checks)
+{
+    static const uint32_t number[] = { 386, 442, 828, 1023, 1941, 1957, 2158, 2391, 2956 };
+    for (size_t k = 0; k < sizeof number / sizeof *number; k++) {
+        sp_scene s;
+        if (!heavy_stones(number[k], &s)) continue;
+        const sp_limit_result x = limit_of(&s, NULL);
+        if (!CHECK_INT(x.kind, SP_LIMIT_FOUND)) { TEST_PRINT("  number %d\n", (int)number[k]); continue; }
+        CHECK(x.upper - x.lower <= R(1e-5) * (1 + x.lower));
+        CHECK(verdict_at(s, NULL, (double)x.lower * (1 - 1e-6)) != SP_UNSTABLE);
+        CHECK(verdict_at(s, NULL, (double)x.upper * (1 + 1e-6)) != SP_STABLE);
+    }
+}
+
+/* Those checks take the memory that was told, no more flops than a budget, and are not asked where few iterations are. */
+TEST(checks_after_a_search_keep_what_was_told)
+{
+    static const uint32_t number[] = { 20, 386, 446, 1957 };
+    for (size_t k = 0; k < sizeof number / sizeof *number; k++) {
+        sp_scene s;
+        sp_limit_result x;
+        sp_settings few = sp_settings_default();
+        if (!heavy_stones(number[k], &s)) continue;
+        const sp_arena mark = test_arena;
+        const sp_limit_result whole = limit_of(&s, NULL);
+        size_t bytes = 0;
+        test_arena = mark;
+        CHECK_INT(sp_memory(&s, SP_FOR_LIMIT, NULL, test_arena, &bytes), SP_OK);
+        sp_arena room = { test_arena.base + (test_arena.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN, bytes, 0, 0 };
+        CHECK_INT(sp_limit(&s, NULL, &room, &x), SP_OK);
+        CHECK_INT(x.kind, whole.kind);
+        CHECK_INT(x.dead, whole.dead);
+        CHECK_INT(x.cost.flops, whole.cost.flops);
+        CHECK_INT(x.peak_bytes, bytes);
+        few.iterations = 299;
+        CHECK_INT(sp_limit(&s, &few, &test_arena, &x), SP_OK);
+        CHECK(x.cost.factorisations <= 299 + 4 && (x.kind == SP_LIMIT_UNDECIDED || x.dead == SP_UNDECIDED));
+        for (int64_t budget = whole.cost.flops / 8; budget < 4 * whole.cost.flops; budget = budget * 3 / 2) {
+            few = sp_settings_default();
+            few.budget = budget;
+            test_arena = mark;
+            CHECK_INT(sp_limit(&s, &few, &test_arena, &x), SP_OK);
+            CHECK(x.cost.flops <= budget);
+        }
+        CHECK_INT(x.kind, whole.kind);
+        CHECK_INT(x.dead, whole.dead);
+    }
+}
 #endif
 
 TEST_LIST(bracket)
@@ -696,5 +759,8 @@ TEST_LIST(bracket)
     RUN(limits_that_one_open_question_spent_are_closed_from_both_sides)
     RUN(loads_that_nearly_cancel_end_as_near_as_what_is_left_of_them)
     RUN(dead_loads_that_a_check_decides_are_decided)
+    RUN(what_stands_at_no_multiple_is_no_longer_left_open)
+    RUN(ends_that_a_search_leaves_apart_are_closed_by_checks)
+    RUN(checks_after_a_search_keep_what_was_told)
 #endif
 TEST_END
