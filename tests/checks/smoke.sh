@@ -627,6 +627,19 @@ part "help: so do pictures"            sh -c "'$cli' check --svg '$tmp/help.svg'
 part "help: a stone in the air has none to ask" sh -c "grep -v '^#@ fixed' tests/scenes/two-cubes.obj | '$cli' check - > '$tmp/free'; grep -q UNSTABLE '$tmp/free' && ! grep -q '^  help' '$tmp/free' && grep -q '^  weakest joint  none' '$tmp/free'"
 part "what slides is told so"          sh -c "'$cli' gen incline angle=45 | '$cli' check - | grep -q '^  weakest joint  b0 - b1: slides$'"
 part "a plain wall: none near its limit" sh -c "'$cli' gen wall rows=4 bricks=6 | '$cli' check - | grep -q '^  weakest joint  none is near its limit'"
+part "JSON of a plain wall: no limit is near" sh -c "'$cli' gen wall rows=4 bricks=6 | '$cli' check --json - | grep -q '\"nearest_limit\": *null'"
+nearest() {                                             # nearest KIND TEXT GEN-ARGUMENTS...: told in words, JSON and picture
+    kind=$1 near=$2
+    shift 2
+    { "$cli" gen "$@" && echo "$more"; } > "$tmp/near.obj" && says "weakest joint  b0 - b1: near $near 100 %" "$cli" check --svg "$tmp/near.svg" "$tmp/near.obj" &&
+    grep -q "near $near 100 %" "$tmp/near.svg" && says "\"nearest_limit\": *{\"interface\": *0, *\"by\": *\"$kind\", *\"share\": *0.9999.*\"known\": *true" "$cli" check --json "$tmp/near.obj"
+}
+more=''
+part "a cube that all but tips is near its limit" nearest tipping 'tipping about an edge, its force' two-cubes offset=0.499999
+part "a stack that all but falls is near its limit" nearest tipping 'tipping about an edge, its force' overhang factor=0.999999
+part "a slope that all but lets go is near its limit" nearest sliding 'sliding, friction used to' incline angle=40.03
+more='#@ load b1 0 0 0 0 0 13979.633 couple'
+part "a cube that all but turns is near its limit" nearest turning 'turning, friction of its corners used to' two-cubes offset=0
 part "compression of a joint and a corner" sh -c "'$cli' gen two-cubes | '$cli' check - | grep -q 'compression .* of a joint, .* at a corner'"
 part "friction of a joint and a corner" sh -c "'$cli' gen arch | '$cli' check - | grep -q 'friction used to .* %, to .* % at a corner'"
 part "friction of a corner in JSON"     sh -c "'$cli' gen arch | '$cli' check --json - | grep -q '\"max_corner_utilisation\".*\"corner_utilisation\"'"

@@ -1,5 +1,6 @@
 #include "../files/json_out.h"
 #include "../motion.h"
+#include "../weakest.h"
 #include "report.h"
 
 #include <math.h>
@@ -256,6 +257,22 @@ static void json_question(json_out *j, const report *r)
     json_int(j, "contact_vertices", x->counts.points);
 }
 
+/* What words tell as the weakest joint of what stands: weakest_interface has most friction used, however little that is. */
+static void json_nearest(json_out *j, const report *r)
+{
+    const weakest_joint w = weakest_nearest(&r->scene->scene, &r->result);
+    if (r->result.verdict == SP_UNSTABLE || w.joint < 0) {
+        json_null(j, "nearest_limit");
+        return;
+    }
+    json_open(j, "nearest_limit", '{');
+    json_int(j, "interface", w.joint);
+    json_string(j, "by", weakest_text(w.by));
+    json_real(j, "share", w.share);
+    json_bool(j, "known", w.known);
+    json_close(j, '}');
+}
+
 /* What stands for the verdict, in numbers. */
 static void json_evidence(json_out *j, const report *r)
 {
@@ -272,6 +289,7 @@ static void json_evidence(json_out *j, const report *r)
     else json_null(j, "tension_ratio");
     if (x->extremes.weakest >= 0) json_int(j, "weakest_interface", x->extremes.weakest);
     else json_null(j, "weakest_interface");
+    json_nearest(j, r);
 }
 
 void report_json(FILE *out, const report *r)

@@ -122,16 +122,16 @@ static void text_weakest(FILE *out, const report *r)
 {
     const sp_result *x = &r->result;
     const sp_scene *s = &r->scene->scene;
-    sp_joint_force f;
-    if (x->extremes.weakest < 0 || sp_joint_resultant(s, x, x->extremes.weakest, &f) != SP_OK) return;
-    const sp_demand *help = &x->demand[x->extremes.weakest];
+    const int32_t told = weakest_told(s, x);
+    if (x->extremes.weakest < 0) return;
     report_row(out, "weakest joint");
-    if (weakest_told(s, x) < 0) {
+    if (told < 0) {
         fputs("none is near its limit\n", out);
         return;
     }
-    const sp_joint *t = &s->joint[x->extremes.weakest];
-    const char *does = motion_of_joint(s, x, x->extremes.weakest);
+    const sp_joint *t = &s->joint[told];
+    const sp_demand *help = &x->demand[told];
+    const char *does = motion_of_joint(s, x, told);
     fprintf(out, "%s - %s", r->scene->name[t->a], r->scene->name[t->b]);
     if (help->friction > help->tension) {
         fputs(": lacks ", out);
@@ -142,8 +142,12 @@ static void text_weakest(FILE *out, const report *r)
         put_scaled(out, (double)help->tension, "N");
         fputs(" of tension\n", out);
     } else if (does) fprintf(out, ": %s\n", does);
-    else fprintf(out, ": friction used to %.0f %%, to %.0f %% at a corner\n", 100 * (double)f.utilisation,
-                   100 * (double)f.corner_utilisation);
+    else {
+        const weakest_joint w = weakest_nearest(s, x);
+        char words[WEAKEST_WORDS];
+        weakest_words(s, x, &w, words);
+        fprintf(out, ": %s\n", words);
+    }
 }
 
 static void text_mechanism(FILE *out, const report *r)

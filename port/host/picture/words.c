@@ -1,6 +1,7 @@
 #include "words.h"
 #include "../motion.h"
 #include "../reason.h"
+#include "../weakest.h"
 #include "mind.h"
 #include "page.h"
 
@@ -139,7 +140,8 @@ static void legend_weakest(const words *w, double x, double y)
     const int32_t i = w->weakest;
     const sp_demand *help = &w->of->result->demand[i];
     const char *does = motion_of_joint(w->d->s, w->of->result, i);
-    sp_joint_force f;
+    const weakest_joint nearest = weakest_nearest(w->d->s, w->of->result);
+    char limit[WEAKEST_WORDS];
     fprintf(w->out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"13\" fill=\"%s\" fill-opacity=\"0.35\" stroke=\"%s\" "
             "stroke-width=\"2\"%s/>\n", x, y - 11, INK_WEAK, INK_WEAK, w->behind ? " stroke-dasharray=\"5 3\"" : "");
     page_label(w->out, x + 36, y);
@@ -152,8 +154,10 @@ static void legend_weakest(const words *w, double x, double y)
         page_quantity(w->out, fmax((double)help->tension, (double)help->friction), "N");
         fputs(help->friction > help->tension ? " of friction" : " of tension", w->out);
     } else if (does) fprintf(w->out, ", %s", does);
-    else if (sp_joint_resultant(w->d->s, w->of->result, i, &f) == SP_OK)
-        fprintf(w->out, ", friction used to %.0f %%", 100 * (double)f.utilisation);
+    else {
+        weakest_words(w->d->s, w->of->result, &nearest, limit);
+        fprintf(w->out, ", %s", limit);
+    }
     if (w->behind) fputs("; behind other blocks", w->out);
     fputs("</text>\n", w->out);
 }
