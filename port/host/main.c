@@ -120,8 +120,12 @@ static const char help_verify[] =
 "  --tol X            1e-9; the bound on forces follows from it\n"
 "  --cone KIND        true\n"
 "  --tilt DEG[,AZ]    0\n"
-"  --body DX,DY,DZ    0,0,0; of what `limit --sliding real --json --forces` wrote, whose state and pressure are judged\n\n"
-"Of a coupled check the lengths eps and eta are the result's, and printed. Exit status by the verdict proved.\n";
+"  --body DX,DY,DZ    0,0,0; of what `limit --sliding real --json --forces` wrote, whose state and pressure are judged\n"
+"  --cra-eps M        1e-4 of a joint's edge; of what `check --coupled --json --forces` wrote\n"
+"  --cra-eta M        100 eps; lengths count by eta/eps, for a motion has any scale\n"
+"  --cra-box          eta bounds each component of the slip; without it the slip as a whole\n\n"
+"What was found for a looser question, such as a motion that goes farther than eta, proves nothing here: undecided. Exit\n"
+"status by the verdict proved.\n";
 
 static const char help_sequence[] =
 "stonepack sequence [options] SCENE\n\n"

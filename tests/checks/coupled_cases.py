@@ -100,7 +100,7 @@ def in_quad(quad, cases, got):
                 f.write(c.text)
             with open(result, "w", encoding="utf-8") as f:
                 json.dump(r, f)
-            p = subprocess.run([quad, "verify", "--cone", "8c", scene, result], capture_output=True, text=True)
+            p = subprocess.run([quad, "verify", "--cra-box", "--cone", "8c"] + c.lengths() + [scene, result], capture_output=True, text=True)
             residual = re.search(r": stable by .*, coupled, residual ([^,\s]+)", p.stdout)
             margin = re.search(r": unstable by .*, refuted, margin ([^,\s]+)", p.stdout)
             if not (residual if answer(r) == "coupled" else margin):

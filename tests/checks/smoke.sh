@@ -164,6 +164,30 @@ another() {                                             # a result says what it 
          s/"forces": *\[/&[0,0,0],[0,0,0],[0,0,0],[0,0,0]],"was":[/' "$tmp/result.json" > "$tmp/forged.json"
     says 'undecided by' "$cli" verify "$tmp/scene.obj" "$tmp/forged.json"
 }
+bound_told() {                                          # what a result says of the bound on forces is not believed, and told
+    gen two-cubes && "$cli" check --json --forces "$tmp/scene.obj" > "$tmp/result.json" &&
+    says 'stable by .* tol 1e-09: imbalance' "$cli" verify "$tmp/scene.obj" "$tmp/result.json" || return 1
+    for bt in 0.001 3 1e+300; do
+        sed "s/\"force_bound\": *[^,]*,/\"force_bound\": $bt,/" "$tmp/result.json" > "$tmp/forged.json"
+        says "stable by .*, the result's bound on forces is $bt: " "$cli" verify "$tmp/scene.obj" "$tmp/forged.json" || return 1
+    done
+}
+# A flat beam between two posts, whose motion must go farther than 100 eps: refuted with that, with more a triple is found.
+reach_believed() {
+    "$cli" gen h-model mu=0.04 | sed 's/ 0\.9/ 0.608/g' > "$tmp/flat.obj" && exits 1 "$cli" check --coupled "$tmp/flat.obj" > "$tmp/line" &&
+    exits 0 "$cli" check --coupled --cra-eta 10 --json --forces "$tmp/flat.obj" > "$tmp/result.json" &&
+    exits 2 "$cli" verify "$tmp/flat.obj" "$tmp/result.json" > "$tmp/line" &&
+    says "undecided by .*, the result's eta/eps is 4.9e+05: .*, not coupled, residual" cat "$tmp/line" &&
+    exits 0 "$cli" verify --cra-eta 10 "$tmp/flat.obj" "$tmp/result.json" > "$tmp/line" &&
+    says 'stable by .* tol 1e-09: .*, coupled, residual .* eta 10 m' cat "$tmp/line" || return 1
+    exits 1 "$cli" check --coupled --cra-eta 1e-4 --json --forces "$tmp/flat.obj" > "$tmp/result.json" &&
+    exits 2 "$cli" verify "$tmp/flat.obj" "$tmp/result.json" > "$tmp/line" &&
+    says "undecided by .*, the result's eta/eps is 4.9: .*, not refuted" cat "$tmp/line" &&
+    exits 1 "$cli" verify --cra-eta 1e-4 "$tmp/flat.obj" "$tmp/result.json" > "$tmp/line" || return 1
+    exits 1 "$cli" check --coupled --cra-eps 1e-3 --json --forces "$tmp/flat.obj" > "$tmp/result.json" &&      # the same eta/eps
+    exits 1 "$cli" verify "$tmp/flat.obj" "$tmp/result.json" > "$tmp/line" && says 'unstable by .* tol 1e-09: .*, refuted' cat "$tmp/line" &&
+    says "unstable by .*, the result's eta bounds the slip as a whole: " "$cli" verify --cra-box "$tmp/flat.obj" "$tmp/result.json"
+}
 costs() {                                               # the table, its picture, its JSON: 9 cones, 4 stages, 6 tolerances
     gen "$@" && says 'pyramids against the true cone' "$cli" cost --svg "$tmp/cost.svg" "$tmp/scene.obj" &&
     grep -q 'What accuracy costs' "$tmp/cost.svg" && grep -q 'class="square"' "$tmp/cost.svg" &&
@@ -620,6 +644,8 @@ part "standard input"               sh -c "'$cli' check - < '$tmp/scene.obj'"
 part "write, read: same result"     round_trip
 part "refuted: the proof, read again"  refuted
 part "verify: the question is its own"  another
+part "verify: a bound on forces that is not the caller's is told" bound_told
+part "verify: a motion that goes farther than the caller's eta is not believed" reach_believed
 part "help: words don't ask, and say how" sh -c "'$cli' check tests/scenes/overhang-falling.obj | grep -q '^  help           --localise' && '$cli' check tests/scenes/overhang-falling.obj | grep -q '^  weakest joint  b7 - b8: opens$'"
 part "help: --localise asks"           sh -c "'$cli' check --localise tests/scenes/overhang-falling.obj | grep -q '^  weakest joint  b0 - b1: asks for 100 N of tension' && ! '$cli' check --localise tests/scenes/overhang-falling.obj | grep -q '^  help'"
 part "help: JSON asks by itself"       says '"tension": 100[.]4' "$cli" check --json tests/scenes/overhang-falling.obj

@@ -145,7 +145,8 @@ TEST(points_tip_about_their_hull_in_whatever_order_and_a_line_has_no_inside)
 /* A beam on two posts, its weight 0.01 from the outer edge of the second: more than one set of forces holds it. */
 TEST(where_forces_are_not_known_the_words_say_by_these)
 {
-    static const sp_real post[2][12] = { { -2, -1, 0,  -1, -1, 0,  -1, 1, 0,  -2, 1, 0 }, { 0, -1, 0,  1, -1, 0,  1, 1, 0,  0, 1, 0 } };
+    static const sp_real post[2][12] = { { -2, -1, 0,  -1, -1, 0,  -1, 1, 0,  -2, 1, 0 },
+                                         { 0, -1, 0,  1, -1, 0,  1, 1, 0,  0, 1, 0 } };
     const sp_capacity room = { .blocks = 3, .joints = 2, .points = 8 };
     const sp_real at[3] = { R(0.99), 0, 1 }, below[3] = { 0, 0, -1 };
     const sp_strength dry = sp_strength_friction(R(0.7));

@@ -474,7 +474,7 @@ int options_read(int argc, char **argv, const char *allowed, options *o, failure
         else if (strcmp(word, "--") == 0) only_files = 1;
         else {
             status = read_option(argc, argv, &i, allowed, o, error);
-            if (strncmp(word, "--cra-", 6) == 0) coupled_only = word;
+            if (strncmp(word, "--cra-", 6) == 0 && is_allowed(allowed, "--coupled")) coupled_only = word;
         }
     }
     if (!status) status = choose_solver(o, error);

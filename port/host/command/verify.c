@@ -103,8 +103,8 @@ static int same_name(const char *json, const char *name)
     return *json == 0;
 }
 
-/* The coupled check's question, where it was asked: lengths and kind of bound. */
-static int read_coupled(const reading *r, options *o)
+/* The coupled check's question as the result says it was put, where it was: lengths and kind of bound. */
+static int read_coupled(const reading *r, sp_coupled_settings *told)
 {
     const json_value *c = json_member(&r->tree, r->all, "coupled"), *box = json_member(&r->tree, c, "box");
     const json_value *eps = json_member(&r->tree, c, "eps"), *eta = json_member(&r->tree, c, "eta");
@@ -113,10 +113,10 @@ static int read_coupled(const reading *r, options *o)
     if (!box || box->kind != JSON_BOOL || !eps || eps->kind != JSON_NUMBER || eps->as.number < 0
         || !eta || eta->kind != JSON_NUMBER || !(eta->as.number > 0))
         return fail(r, c, "bad eps, eta or box of the coupled check");
-    o->settings.coupled.asked = 1;
-    o->settings.coupled.box = box->as.number > 0;
-    o->settings.coupled.eps = (sp_real)eps->as.number;
-    o->settings.coupled.eta = (sp_real)eta->as.number;
+    told->asked = 1;
+    told->box = box->as.number > 0;
+    told->eps = (sp_real)eps->as.number;
+    told->eta = (sp_real)eta->as.number;
     return 0;
 }
 
@@ -306,7 +306,7 @@ static int read_claim(const reading *r, const options *o, sp_result *claim)
 }
 
 /* Read what the result claims, and have it verified. */
-static int judge_claim(const reading *r, const options *o, sp_real *tol, sp_evidence *evidence)
+static int judge_claim(const reading *r, const options *o, sp_real *tol, sp_real *force_bound, sp_evidence *evidence)
 {
     const sp_capacity *n = &r->scene->scene.count;
     sp_real *f = calloc(4 * (size_t)n->points + 1, sizeof *f), *dq = calloc(12 * (size_t)n->blocks, sizeof *dq);
@@ -325,6 +325,7 @@ static int judge_claim(const reading *r, const options *o, sp_real *tol, sp_evid
     }
     if (!status && made != SP_OK) status = fail_status(r->error, made, r->path, f && dq ? r->all->line : 0, "");
     *tol = claim.tol;
+    *force_bound = claim.force_bound;
     free(claim.coupled.proof.y);
     free(f);
     free(dq);
@@ -333,10 +334,12 @@ static int judge_claim(const reading *r, const options *o, sp_real *tol, sp_evid
 
 /* A stored result read and judged. */
 typedef struct verified {
-    options o;                  /* the caller's question, the only one judged: the bound on forces follows from its tol */
-    options told;               /* that of the result: cone, friction */
-    sp_real tol, gravity[3];    /* and its tol and gravity */
-    sp_real turned[3];          /* the caller's gravity */
+    options o;                  /* the caller's question, the only one judged */
+    options told;               /* that of the result: cone, friction, lengths of a coupled check */
+    sp_real tol, force_bound, gravity[3];       /* and its tol, bound on forces and gravity */
+    sp_real bound;              /* the caller's bound on forces: it follows from tol */
+    sp_real turned[3];          /* and gravity */
+    int other_reach;            /* the result's motion was bounded by another eta / eps than the caller's */
     int sliding;                /* the result is a limit's without dilatancy */
     sp_sliding_result slid;     /* its claim: multiples alone */
     sp_sliding_evidence slides;
@@ -346,6 +349,41 @@ typedef struct verified {
     sp_evidence evidence;
     int32_t near, inside, across;       /* host_scene's */
 } verified;
+
+/* eta / eps, by which alone lengths count, for a motion may be drawn to any scale; infinite where joints give nothing. */
+static double reach(const sp_coupled_settings *c) { return c->eps > 0 ? (double)c->eta / (double)c->eps : HUGE_VAL; }
+
+/* The caller's eta / eps, at the scale of the result's motion. */
+static void set_lengths(verified *v, sp_coupled_settings asked)
+{
+    const sp_coupled_settings *told = &v->told.settings.coupled;
+    const double same = sizeof(sp_real) == 4 ? 1e-5 : 1e-9, far = reach(&asked);
+    sp_coupled_settings *judged = &v->o.settings.coupled;
+    v->other_reach = !(reach(told) >= far * (1 - same) && reach(told) <= far * (1 + same));
+    judged->eps = told->eps;
+    judged->eta = told->eta;
+    if (!v->other_reach) return;
+    if (asked.eps > 0 && told->eps > 0) judged->eta = (sp_real)((double)told->eps * far);
+    else judged->eps = asked.eps > 0 ? (sp_real)((double)told->eta / far) : 0;
+}
+
+/* What the caller's options come to on this scene, bound and lengths: a check that may do no work tells it. */
+static int resolve(const reading *r, verified *v)
+{
+    sp_settings no_work = v->o.settings;
+    sp_result x;
+    run_cost cost;
+    void *memory;
+    no_work.budget = 1;
+    no_work.coupled.nodes = 0;
+    const sp_status made = run_check(&r->scene->scene, &no_work, &x, &cost, &memory);
+    free(memory);
+    if (made != SP_OK) return fail_status(r->error, made, r->path, r->all->line, "");
+    const sp_coupled_settings asked = { .eps = x.coupled.eps, .eta = x.coupled.eta };
+    v->bound = x.force_bound;
+    if (v->o.settings.coupled.asked) set_lengths(v, asked);
+    return 0;
+}
 
 static int verify(const char *scene_path, const char *path, verified *v, failure *error)
 {
@@ -357,7 +395,8 @@ static int verify(const char *scene_path, const char *path, verified *v, failure
         r.all = &r.tree.value[0];
         v->sliding = json_member(&r.tree, r.all, "sliding") != NULL;
         if (!v->sliding) status = read_asked(&r, &v->told, v->gravity);
-        if (!status) status = read_coupled(&r, &v->o);
+        if (!status) status = read_coupled(&r, &v->told.settings.coupled);
+        v->o.settings.coupled.asked = v->told.settings.coupled.asked;
     }
     if (!status) {
         status = scene_read(scene_path, &v->o.scene, &s, error);
@@ -371,7 +410,8 @@ static int verify(const char *scene_path, const char *path, verified *v, failure
         v->across = s.across;
         scene_body(&s, v->o.body);
         if (v->sliding) status = judge_sliding(&r, &v->o, &v->slid, &v->slides);
-        else status = judge_claim(&r, &v->o, &v->tol, &v->evidence);
+        else status = resolve(&r, v);
+        if (!v->sliding && !status) status = judge_claim(&r, &v->o, &v->tol, &v->force_bound, &v->evidence);
         v->strong = json_member(&r.tree, r.all, "strong") != NULL;
         if (!status && v->strong) status = judge_strong(&r, &v->o, &v->proved);
         v->proof = json_member(&r.tree, json_member(&r.tree, r.all, "coupled"), "proof") != NULL;
@@ -393,6 +433,14 @@ static void print_other_question(const verified *v)
     if (told < 0 && mu >= 0) printf(", the result's friction is the scene's");
     if (memcmp(v->turned, v->gravity, sizeof v->turned))
         printf(", the result's gravity is %g %g %g", (double)v->gravity[0], (double)v->gravity[1], (double)v->gravity[2]);
+    if (v->force_bound < v->bound || v->force_bound > v->bound)
+        printf(", the result's bound on forces is %.2g", (double)v->force_bound);
+    if (!o->settings.coupled.asked) return;
+    const sp_coupled_settings *c = &t->settings.coupled;
+    if (v->other_reach && c->eps > 0) printf(", the result's eta/eps is %.3g", reach(c));
+    else if (v->other_reach) printf(", the result's eta/eps is unbounded");
+    if (!c->box != !o->settings.coupled.box)
+        printf(", the result's eta bounds %s", c->box ? "each component of the slip" : "the slip as a whole");
 }
 
 static void print_evidence(const char *scene_path, const char *path, const verified *v)
@@ -438,7 +486,8 @@ int command_verify(int argc, char **argv)
     sp_evidence *e = &v.evidence;
 
     memset(&v, 0, sizeof v);
-    if (options_read(argc, argv, " --tol --cone --tilt --body" SCENE_OPTIONS, &v.o, &error) == 0 && v.o.files != 2)
+    options_read(argc, argv, " --tol --cone --tilt --body --cra-eps --cra-eta --cra-box" SCENE_OPTIONS, &v.o, &error);
+    if (!error.status && v.o.files != 2)
         fail_with(&error, EXIT_USAGE, NULL, 0, "stonepack: verify needs a scene and a result");
     if (error.status || verify(v.o.file[0], v.o.file[1], &v, &error) != 0) {
         fprintf(stderr, "%s\n", error.line);
