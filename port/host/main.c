@@ -108,9 +108,9 @@ static const char help_plan[] =
 "  --json             one JSON object\n"
 "  --effects LIST     of +NAME (simulate it in any case), -NAME (leave it out), where NAME is one of friction, depth,\n"
 "                     together, coupled (as --coupled)\n"
-"  --ram              instead: the memory of each question, exact for this program, and as constants for firmware\n"
+"  --ram              instead: the memory of each question in this program, and as constants for firmware\n"
 "  --tol, --cone, --stages, --tilt, --coupled    as in check\n\n"
-"Flops are a prediction (5 steps of a search); unknowns and bytes are exact.\n";
+"Flops are a prediction (5 steps of a search); unknowns are exact, bytes are what is enough.\n";
 
 static const char help_verify[] =
 "stonepack verify [options] SCENE RESULT.json\n\n"
