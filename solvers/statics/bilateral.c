@@ -51,8 +51,8 @@ SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
         sp__system_gradient(w, SP__BILATERAL, w->y, w->r, NULL);
         if (w->budget.spent) return;
         const sp_real now = sp__system_norm(w, w->r);
-        const int solved = now <= (w->singular ? 64 * (sp_real)SP_EPSILON : SP__SCALE_TOL) * w->measure.load;
-        if (!w->singular && !solved && now > last / 1000) {     /* again, for a matrix with null vectors in the load */
+        const int held = now <= SP__SCALE_TOL * w->measure.load;
+        if (!w->singular && !held && now > last / 1000) {       /* again, for a matrix with null vectors in the load */
             w->singular = 1;
             it = -1;
             last = SP__HUGE;
@@ -60,12 +60,14 @@ SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
             sp__system_load(w, w->r);
             continue;
         }
-        if (solved || (w->singular && now > last / 4)) break;
+        if (now <= (w->singular ? 64 * (sp_real)SP_EPSILON : SP__TWICE) * w->measure.load) break;
+        if (now > last / 4 && (w->singular || held)) break;
         last = now;
     }
     sp__bilateral_correct(w);
+    const int early = SP__TWICE > 64 * (sp_real)SP_EPSILON && !w->singular;
     for (size_t k = 0; k < n; k++) {
-        const sp_real y = w->y[k] - w->r[k];
+        const sp_real y = early ? w->y[k] - w->r[k] : w->y[k];
         w->d[k] = w->r[k] - (w->y[k] - y);
         w->y[k] = y;
     }

@@ -16,6 +16,7 @@
 #define SP__PATH_FELL ((sp_real)1e-3)   /* if not, start of the proximal path from there */
 #define SP__HELP_LEAST ((sp_real)0.01)  /* imbalance of the penalty form that will do, at least: rounding leaves that much */
 #define SP__HELP_SHIFT ((sp_real)1e-7)  /* shift of the penalty form, well below the price of tension, which makes it regular */
+#define SP__TWICE (64 * (sp_real)SP_EPSILON)    /* what one solution may leave of the load for a second one to be the last */
 #define SP__HELP_MOST 12                /* factorisations of the penalty form: what takes more does not come there */
 #else
 #define SP__SHIFT ((sp_real)1e-13)
@@ -29,9 +30,11 @@
 #define SP__PATH_FELL ((sp_real)0.1)
 #define SP__HELP_LEAST 0
 #define SP__HELP_SHIFT SP__SHIFT
+#define SP__TWICE ((sp_real)1e-9)
 #define SP__HELP_MOST 40
 #endif
-#define SP__CLOSE (512 * (sp_real)SP_EPSILON)   /* imbalance from which on more digits are not worth a solution */
+#define SP__CLOSE (512 * (sp_real)SP_EPSILON)   /* imbalance from which on more digits are not worth a solution, and */
+#define SP__CLOSE_TOL ((sp_real)0.05)   /* of tol */
 #define SP__ASTRAY ((sp_real)1e6)      /* slope at the end of a first step in 3 rows, relative to its start, that ends Newton */
 #define SP__NO_START 2                  /* imbalance of forces inside the cones from which balancing does not come to any */
 #define SP__RUB ((sp_real)1e-6)        /* friction of joints that have none, where a motion is looked for */

@@ -305,7 +305,7 @@ SP__NOINLINE static void sp__ipm_forces(sp__system *w, const sp__ipm *m, sp__new
         n->imbalance = sp__system_imbalance(w, w->r);
         const int slow = share > 0 && n->imbalance > SP__GAIN * last && left > SP__GAIN;
         const int vain = m && it == 0 && n->imbalance > SP__NO_START;
-        if (it == 60 || vain || strict <= SP__CLOSE || (slow && (last > n->goal || left >= 1 || !more--))) break;
+        if (it == 60 || vain || sp__newton_close(w, strict) || (slow && (last > n->goal || left >= 1 || !more--))) break;
         last = n->imbalance;
         sp__system_solve(w, w->r, w->d);
         sp__ipm_leap(w, left, &share);

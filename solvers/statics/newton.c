@@ -128,7 +128,7 @@ SP__NOINLINE static void sp__newton_finish(sp__system *w, sp__newton *n, sp_stat
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     if (n->found || n->proved || n->imbalance > n->goal) return;
-    for (int it = 0; it < 4 && n->imbalance > SP__CLOSE; it++) {
+    for (int it = 0; it < 4 && !sp__newton_close(w, n->imbalance); it++) {
         const sp_real last = n->imbalance;
         sp__newton_correct(w);
         sp__newton_measure(w, n, state);

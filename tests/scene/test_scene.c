@@ -30,14 +30,14 @@ TEST(words_follow_their_enumerators)
     CHECK_TEXT(sp_verdict_text((sp_verdict)3), "unknown");
     CHECK_TEXT(sp_level_text(SP_NONE), "none");
     CHECK_TEXT(sp_level_text(SP_ADMISSIBLE), "admissible");
-    CHECK_TEXT(sp_level_text(SP_COUPLED), "coupled");
+    CHECK_TEXT(sp_level_text(SP_COUPLED), TOLD("coupled"));
     CHECK_TEXT(sp_level_text((sp_level)3), "unknown");
     CHECK_TEXT(sp_reason_text(SP_REASON_FORCES), "forces");
     CHECK_TEXT(sp_reason_text(SP_REASON_NO_SUPPORT), "no support");
     CHECK_TEXT(sp_reason_text(SP_REASON_MECHANISM), "mechanism");
-    CHECK_TEXT(sp_reason_text(SP_REASON_STAGES), "stages");
-    CHECK_TEXT(sp_reason_text(SP_REASON_TENSION), "tension");
-    CHECK_TEXT(sp_reason_text(SP_REASON_UNVERIFIED), "unverified");
+    CHECK_TEXT(sp_reason_text(SP_REASON_STAGES), TOLD("stages"));
+    CHECK_TEXT(sp_reason_text(SP_REASON_TENSION), TOLD("tension"));
+    CHECK_TEXT(sp_reason_text(SP_REASON_UNVERIFIED), TOLD("unverified"));
     CHECK_TEXT(sp_reason_text(SP_REASON_EFFECT), TOLD("effect left out"));
     CHECK_TEXT(sp_reason_text((sp_reason)(SP_REASON_EFFECT + 1)), "unknown");
     CHECK_TEXT(sp_effect_text(SP_EFFECT_TOGETHER), "together");
