@@ -38,7 +38,7 @@ typedef struct sp__newton {
 static int sp__newton_work_left(const sp__system *w, const sp__newton *n) { return n->left > 0 && !w->budget.spent; }
 
 /* Is an imbalance within tol, and so small that more digits are not worth a solution? */
-static int sp__newton_close(const sp__system *w, sp_real imbalance)
+SP__NOINLINE static int sp__newton_close(const sp__system *w, sp_real imbalance)
 {
     return imbalance <= SP__CLOSE && imbalance <= SP__CLOSE_TOL * w->set->tol;
 }
