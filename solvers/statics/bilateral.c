@@ -35,8 +35,7 @@ static void sp__bilateral_correct(sp__system *w)
 }
 
 /* w->y: potential of the bilateral force of the load at hand, by the bilateral factor; w->d: what rounding left of it, y - d is
- * better. What is left after one solution is that of another squared, so that two will do; where the load has null vectors it
- * falls more slowly, and is looked at. Worth nothing when w->budget.spent. */
+ * better. Worth nothing when w->budget.spent. */
 SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -60,17 +59,11 @@ SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
             sp__system_load(w, w->r);
             continue;
         }
-        if (now <= (w->singular ? 64 * (sp_real)SP_EPSILON : SP__TWICE) * w->measure.load) break;
-        if (now > last / 4 && (w->singular || held)) break;
+        if (now <= 64 * (sp_real)SP_EPSILON * w->measure.load || (now > last / 4 && (w->singular || held))) break;
         last = now;
     }
     sp__bilateral_correct(w);
-    const int early = SP__TWICE > 64 * (sp_real)SP_EPSILON && !w->singular;
-    for (size_t k = 0; k < n; k++) {
-        const sp_real y = early ? w->y[k] - w->r[k] : w->y[k];
-        w->d[k] = w->r[k] - (w->y[k] - y);
-        w->y[k] = y;
-    }
+    memcpy(w->d, w->r, n * sizeof *w->d);
 }
 
 /* Weights, factor and potential of the bilateral force, in the metric at hand. Factorises once. */

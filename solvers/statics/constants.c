@@ -16,7 +16,6 @@
 #define SP__PATH_FELL ((sp_real)1e-3)   /* if not, start of the proximal path from there */
 #define SP__HELP_LEAST ((sp_real)0.01)  /* imbalance of the penalty form that will do, at least: rounding leaves that much */
 #define SP__HELP_SHIFT ((sp_real)1e-7)  /* shift of the penalty form, well below the price of tension, which makes it regular */
-#define SP__TWICE (64 * (sp_real)SP_EPSILON)    /* what one solution may leave of the load for a second one to be the last */
 #define SP__HELP_MOST 12                /* factorisations of the penalty form: what takes more does not come there */
 #else
 #define SP__SHIFT ((sp_real)1e-13)
@@ -30,7 +29,6 @@
 #define SP__PATH_FELL ((sp_real)0.1)
 #define SP__HELP_LEAST 0
 #define SP__HELP_SHIFT SP__SHIFT
-#define SP__TWICE ((sp_real)1e-9)
 #define SP__HELP_MOST 40
 #endif
 #define SP__CLOSE (512 * (sp_real)SP_EPSILON)   /* imbalance from which on more digits are not worth a solution, and */
