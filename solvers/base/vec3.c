@@ -8,7 +8,7 @@
 
 static sp_real sp__dot3(const sp_real a[3], const sp_real b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/* |a|, also where its square would over- or underflow. */
+/* |a|, also where its square would over- or underflow; infinite where the sum of its components is. */
 static sp_real sp__norm3(const sp_real a[3])
 {
 #ifdef SP_REAL_FLOAT

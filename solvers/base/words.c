@@ -42,8 +42,8 @@
 #define SP__WORDS_EFFECT "friction\0" "depth\0" "together\0" "strength\0" "loads\0" "live\0" "coupled\0" "dynamics\0"
 #define SP__WORDS_EFFECT_WHY \
     "the scene calls for it\0" SP__LONG_TEXT("the caller asks for it") "\0" SP__LONG_TEXT("left out by the caller") "\0" \
-    "not in this scene\0" \
-    "not asked for\0" "statics asks for none\0" SP__LONG_TEXT("they share no free block; each is solved alone") "\0" \
+    "not in this scene\0" "not asked for\0" "statics asks for none\0" \
+    SP__LONG_TEXT("they share no free block; each is solved alone") "\0" \
     SP__LONG_TEXT("stages or a budget that a plan leaves alone") "\0" \
     SP__LONG_TEXT("everything has one mirror plane: 3 rows a block") "\0" \
     SP__LONG_TEXT("joints at right angles to the loads: pressure alone comes first") "\0" \

@@ -31,8 +31,8 @@
 #define SP__HELP_SHIFT SP__SHIFT
 #define SP__HELP_MOST 40
 #endif
-#define SP__CLOSE (512 * (sp_real)SP_EPSILON)   /* imbalance from which on more digits are not worth a solution, and */
-#define SP__CLOSE_TOL ((sp_real)0.05)   /* of tol */
+#define SP__CLOSE (512 * (sp_real)SP_EPSILON)   /* imbalance whose further digits are rounding, not worth a solution, */
+#define SP__CLOSE_TOL ((sp_real)0.05)   /* if it is this share of tol at most: in float the former is more than a fine tol */
 #define SP__ASTRAY ((sp_real)1e6)      /* slope at the end of a first step in 3 rows, relative to its start, that ends Newton */
 #define SP__NO_START 2                  /* imbalance of forces inside the cones from which balancing does not come to any */
 #define SP__RUB ((sp_real)1e-6)        /* friction of joints that have none, where a motion is looked for */

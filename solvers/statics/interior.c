@@ -298,7 +298,7 @@ SP__NOINLINE static void sp__ipm_forces(sp__system *w, const sp__ipm *m, sp__new
     for (int it = 0; ; it++) {
         sp__carry_begin(w);
         sp__ipm_balance(w, m, it == 0, w->d, state);
-        const sp_real left = sp__system_imbalance(w, w->r) / strict;
+        const sp_real left = sp__system_imbalance(w, w->r) / strict;        /* by what the forces themselves put on a block */
         strict *= left;
         w->carried = NULL;
         if (w->budget.spent) return;
