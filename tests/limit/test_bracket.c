@@ -700,7 +700,7 @@ TEST(ends_that_a_search_leaves_apart_are_closed_by_checks)
 /* Those checks take the memory that was told, no more flops than a budget, and are not asked where few iterations are. */
 TEST(checks_after_a_search_keep_what_was_told)
 {
-    static const uint32_t number[] = { 20, 386, 446, 1957 };
+    static const uint32_t number[] = { 20, 446, 1023, 1957 };
     for (size_t k = 0; k < sizeof number / sizeof *number; k++) {
         sp_scene s;
         sp_limit_result x;
