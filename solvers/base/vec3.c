@@ -76,9 +76,11 @@ static sp_real sp__minor(sp_real a, sp_real b, sp_real c, sp_real d)
 /* c += a x b, each component by sp__minor. */
 static void sp__cross3_add(const sp_real a[3], const sp_real b[3], sp_real c[3])
 {
-    c[0] += sp__minor(a[1], a[2], b[1], b[2]);
-    c[1] += sp__minor(a[2], a[0], b[2], b[0]);
-    c[2] += sp__minor(a[0], a[1], b[0], b[1]);
+    for (int k = 0, i = 1, j = 2; k < 3; k++) {
+        c[k] += sp__minor(a[i], a[j], b[i], b[j]);
+        i = j;
+        j = k;
+    }
 }
 
 /* b = a / |a|, b may be a; divided, not multiplied by 1 / |a|: what lies along an axis becomes exactly 0 and +-1. */

@@ -135,14 +135,13 @@ static sp_status sp__contact_build(const sp_problem *problem, int32_t id, sp_con
     return sp__finite(size) ? SP_OK : SP_E_NOT_FINITE;
 }
 
-/* p += (F, M + (x - c) x F) of a force F at x with a couple M. */
-static void sp__load_add(sp_real *p, const sp_real F[3], const sp_real M[3], const sp_real x[3], const sp_real c[3])
+/* p += (F, r x F), F = times x f at r from the centroid. */
+static void sp__load_add(sp_real *p, sp_real times, const sp_real f[3], const sp_real r[3])
 {
-    sp_real r[3];
-    sp__sub3(x, c, r);
+    sp_real F[3];
+    sp__scale3(times, f, F);
     sp__cross3_add(r, F, p + 3);
     sp__add3(p, 1, F);
-    sp__add3(p + 3, 1, M);
 }
 
 /* One load: what always acts goes to p, what counts scene.live times to problem.live. */
@@ -151,14 +150,13 @@ static void sp__problem_load(const sp_problem *problem, const sp_load *load)
     const int32_t row = sp__problem_row(problem, load->block);
     if (row < 0) return;
     const sp_scene *scene = problem->scene;
-    const sp_real *c = scene->block[load->block].centroid, none[3] = { 0, 0, 0 };
     sp_real *p = problem->p + 6 * (size_t)row, *live = problem->live ? problem->live + 6 * (size_t)row : p;
-    sp_real weight[3];
-    sp__load_add(load->live ? live : p, load->force, load->couple, load->point, c);
-    sp__scale3(load->mass, scene->gravity, weight);
-    sp__load_add(load->live ? live : p, weight, none, load->point, c);
-    sp__scale3(load->mass, scene->body, weight);
-    sp__load_add(live, weight, none, load->point, c);
+    sp_real *own = load->live ? live : p, r[3];
+    sp__sub3(load->point, scene->block[load->block].centroid, r);
+    sp__load_add(own, 1, load->force, r);
+    sp__load_add(own, load->mass, scene->gravity, r);
+    sp__load_add(live, load->mass, scene->body, r);
+    sp__add3(own + 3, 1, load->couple);
 }
 
 /* Clear q = (F, M) of a block where its terms cancel but for rounding: its weight, `share` times this load, and others. Each
@@ -210,23 +208,20 @@ static sp_status sp__problem_clear(const sp_problem *problem)
     return SP_OK;
 }
 
-/* p += weight, after the loads: what they sum to may be less than their rounding, and hides no weight then. */
-static void sp__problem_weights(const sp_problem *problem)
-{
-    const sp_scene *scene = problem->scene;
-    for (int32_t i = 0; i < problem->blocks; i++) {
-        const sp_real mass = scene->block[problem->block[i]].mass;
-        sp__add3(problem->p + 6 * (size_t)i, mass, scene->gravity);
-        if (problem->live) sp__add3(problem->live + 6 * (size_t)i, mass, scene->body);
-    }
-}
-
-/* p += live multiple x live loads */
+/* p += weight + live multiple x live loads, after the loads: what they sum to may be less than their rounding, and hides no
+ * weight then. */
 static sp_status sp__problem_sum(const sp_problem *problem)
 {
-    for (size_t k = 0; k < 6 * (size_t)problem->blocks; k++) {
-        if (problem->live) problem->p[k] += problem->scene->live * problem->live[k];
-        if (!sp__finite(problem->p[k] * problem->p[k])) return SP_E_NOT_FINITE;
+    const sp_scene *scene = problem->scene;
+    sp_real *p = problem->p, *live = problem->live;
+    for (int32_t i = 0; i < problem->blocks; i++, p += 6) {
+        const sp_real mass = scene->block[problem->block[i]].mass;
+        sp__add3(p, mass, scene->gravity);
+        if (live) {
+            sp__add3(live, mass, scene->body);
+            for (int k = 0; k < 6; k++) p[k] += scene->live * *live++;
+        }
+        for (int k = 0; k < 6; k++) if (!sp__finite(p[k] * p[k])) return SP_E_NOT_FINITE;
     }
     return SP_OK;
 }
@@ -263,7 +258,6 @@ static sp_status sp__problem_loads(const sp_problem *problem, int32_t first, con
     sp_status status = sp__problem_clear(problem);
     if (status) return status;
     sp__loads_add(problem, first, next);
-    sp__problem_weights(problem);
     status = sp__problem_sum(problem);
     if (status) return status;
     for (int32_t k = first; k >= 0; k = sp__load_after(problem, next, k)) sp__load_clear_sums(problem, &load[k]);
