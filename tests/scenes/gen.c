@@ -90,6 +90,16 @@ int gen_open(gen_scene *g, const char *name)
     return 0;
 }
 
+/* Does the number count something, so that it has no fraction? */
+static int counts(const char *name)
+{
+    static const char *const whole[] = {
+        "n", "rows", "bricks", "seed", "size", "count", "around", "rings", "segments", "ends", "facets"
+    };
+    for (size_t k = 0; k < sizeof whole / sizeof *whole; k++) if (same(name, whole[k])) return 1;
+    return 0;
+}
+
 int gen_set(gen_scene *g, const char *name, double value)
 {
     for (int k = 0; k < GEN_OWN + GEN_COMMON; k++) {
@@ -100,6 +110,7 @@ int gen_set(gen_scene *g, const char *name, double value)
         }
         if (!same(p->name, name)) continue;
         if (!(value >= p->low && value <= p->high)) return -1;
+        if (counts(name) && value - floor(value) > 0) return -2;
         g->value[k] = value;
         return 1;
     }

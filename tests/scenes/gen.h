@@ -45,7 +45,7 @@ typedef struct gen_scene {
 /* Choose an entry, all numbers at their defaults.          returns 1, 0: no such name */
 int gen_open(gen_scene *g, const char *name);
 
-/* Change a number.                                         returns 1, 0: no such number, -1: outside its range */
+/* Change a number.                     returns 1, 0: no such number, -1: outside its range, -2: a count that is not whole */
 int gen_set(gen_scene *g, const char *name, double value);
 
 /* Room needed by the scene, exact.                         returns SP_OK, SP_E_MEMORY (too many) */

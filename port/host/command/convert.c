@@ -81,7 +81,7 @@ static int read_numbers(int argc, char **argv, gen_scene *g, failure *error)
         set = gen_set(g, name, x);
         if (set != 1)
             return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: %s '%.60s'; see stonepack gen", argv[2],
-                             set ? "outside its range:" : "no number called", name);
+                             set == -2 ? "not a whole number:" : set ? "outside its range:" : "no number called", name);
     }
     return 0;
 }
