@@ -90,8 +90,7 @@ int gen_open(gen_scene *g, const char *name)
     return 0;
 }
 
-/* Does the number count something, so that it has no fraction? */
-static int counts(const char *name)
+int gen_counts(const char *name)
 {
     static const char *const whole[] = {
         "n", "rows", "bricks", "seed", "size", "count", "around", "rings", "segments", "ends", "facets"
@@ -110,7 +109,6 @@ int gen_set(gen_scene *g, const char *name, double value)
         }
         if (!same(p->name, name)) continue;
         if (!(value >= p->low && value <= p->high)) return -1;
-        if (counts(name) && value - floor(value) > 0) return -2;
         g->value[k] = value;
         return 1;
     }

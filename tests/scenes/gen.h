@@ -45,8 +45,11 @@ typedef struct gen_scene {
 /* Choose an entry, all numbers at their defaults.          returns 1, 0: no such name */
 int gen_open(gen_scene *g, const char *name);
 
-/* Change a number.                     returns 1, 0: no such number, -1: outside its range, -2: a count that is not whole */
+/* Change a number; a fraction of what is counted is dropped.      returns 1, 0: no such number, -1: outside its range */
 int gen_set(gen_scene *g, const char *name, double value);
+
+/* Is the number one that counts something? */
+int gen_counts(const char *name);
 
 /* Room needed by the scene, exact.                         returns SP_OK, SP_E_MEMORY (too many) */
 sp_status gen_capacity(const gen_scene *g, sp_capacity *cap);

@@ -9,6 +9,7 @@
 #include "options.h"
 #include "outputs.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -78,7 +79,7 @@ static int read_numbers(int argc, char **argv, gen_scene *g, failure *error)
         w.n = strlen(value);
         if (text_double(w, &x) != TEXT_NUMBER)
             return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: '%.60s' is not a number", argv[2], value);
-        set = gen_set(g, name, x);
+        set = gen_counts(name) && x - floor(x) > 0 ? -2 : gen_set(g, name, x);
         if (set != 1)
             return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: %s '%.60s'; see stonepack gen", argv[2],
                              set == -2 ? "not a whole number:" : set ? "outside its range:" : "no number called", name);
