@@ -36,8 +36,7 @@ typedef struct sp__lengths { sp_real L, eps, eta; } sp__lengths;
 /* Mean edge of the joints that take part; where these are points, mean distance of a joint from its blocks' centroids. */
 static sp_real sp__mean_edge(const sp_problem *pb)
 {
-    sp_real edges = 0, arms = 0;
-    int32_t count = 0;
+    sp_real edges = 0, arms = 0, count = 0;
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp_contact *t = &pb->contact[c];
         const int32_t n = t->points > 2 ? t->points : t->points - 1;
@@ -46,10 +45,10 @@ static sp_real sp__mean_edge(const sp_problem *pb)
             sp__sub3(pb->point[t->point + (k + 1) % t->points], pb->point[t->point + k], e);
             edges += sp__norm3(e);
         }
-        count += n;
+        count += (sp_real)n;
         arms += (sp__norm3(t->ra) + sp__norm3(t->rb)) / 2;
     }
-    if (edges > 0) return edges / (sp_real)count;
+    if (edges > 0) return edges / count;
     return arms > 0 ? arms / (sp_real)pb->contacts : 1;
 }
 
