@@ -303,6 +303,8 @@ TEST(broken_meshes_are_refused)
     mesh.xyz = NULL;             mass_refused(&mesh, SP_E_ARGUMENT, "no xyz");
     mesh = good; mesh.size = NULL;    mass_refused(&mesh, SP_E_ARGUMENT, "no size");
     mesh = good; mesh.corner = NULL;  mass_refused(&mesh, SP_E_ARGUMENT, "no corner");
+    mesh.faces = 1;                   mass_refused(&mesh, SP_E_ARGUMENT, "one face, no corner");
+    mesh.size = NULL;                 mass_refused(&mesh, SP_E_ARGUMENT, "one face, no size");
     mesh = good; mesh.vertices = -1;  mass_refused(&mesh, SP_E_ARGUMENT, "vertices < 0");
     mesh = good; mesh.faces = -1;     mass_refused(&mesh, SP_E_ARGUMENT, "faces < 0");
     mesh = good; mesh.faces = 0;      mass_refused(&mesh, SP_E_DEGENERATE, "no faces");
