@@ -72,7 +72,8 @@ SP__NOINLINE static sp_status sp__part_build(const sp_scene *scene, const sp__pa
     sp__part_carve(pb, sp__part_live(scene, part), a);
     if (sp__failed(a)) return SP_E_MEMORY;
     for (int32_t i = part->block; i >= 0; i = part->block_next[i]) pb->block[row++] = i;
-    const sp_status status = sp__problem_loads(pb, part->load, part->load_next);
+    const sp__load_list loads = { part->load, part->load_next, part->row };
+    const sp_status status = sp__problem_loads(pb, &loads);
     return status ? status : sp__part_contacts(part, pb);
 }
 

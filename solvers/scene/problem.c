@@ -145,10 +145,8 @@ static void sp__load_add(sp_real *p, sp_real times, const sp_real f[3], const sp
 }
 
 /* One load: what always acts goes to p, what counts scene.live times to problem.live. */
-static void sp__problem_load(const sp_problem *problem, const sp_load *load)
+static void sp__problem_load(const sp_problem *problem, const sp_load *load, int32_t row)
 {
-    const int32_t row = sp__problem_row(problem, load->block);
-    if (row < 0) return;
     const sp_scene *scene = problem->scene;
     sp_real *p = problem->p + 6 * (size_t)row, *live = problem->live ? problem->live + 6 * (size_t)row : p;
     sp_real *own = load->live ? live : p, r[3];
@@ -180,10 +178,8 @@ static void sp__load_clear_rounding(sp_real *q, const sp_load *load, sp_real sha
 
 /* Apply sp__load_clear_rounding to every sum that this load is part of. SP_SMALL ignores live accelerations here, and live
  * loads that cancel each other. */
-static void sp__load_clear_sums(const sp_problem *problem, const sp_load *load)
+static void sp__load_clear_sums(const sp_problem *problem, const sp_load *load, int32_t row)
 {
-    const int32_t row = sp__problem_row(problem, load->block);
-    if (row < 0) return;
     const sp_scene *scene = problem->scene;
     const sp_block *block = &scene->block[load->block];
     const sp_real times = sp__abs(scene->live);
@@ -226,41 +222,55 @@ static sp_status sp__problem_sum(const sp_problem *problem)
     return SP_OK;
 }
 
-/* The load after k, -1: none. next NULL: all loads of the scene. */
-static int32_t sp__load_after(const sp_problem *problem, const int32_t *next, int32_t k)
+/* Some loads of the scene, one after the other, and where their blocks are: those of a part need not ascend. */
+typedef struct sp__load_list {
+    int32_t first;                      /* -1: none */
+    const int32_t *next, *row;          /* after each load, -1: none; row of each block. NULL: all loads, blocks that ascend */
+} sp__load_list;
+
+static int32_t sp__load_after(const sp_problem *problem, const sp__load_list *list, int32_t k)
 {
-    return next ? next[k] : k + 1 < problem->scene->count.loads ? k + 1 : -1;
+    return list->next ? list->next[k] : k + 1 < problem->scene->count.loads ? k + 1 : -1;
+}
+
+static int32_t sp__load_row(const sp_problem *problem, const sp__load_list *list, int32_t k)
+{
+    const int32_t block = problem->scene->load[k].block;
+    return list->row ? list->row[block] : sp__problem_row(problem, block);
 }
 
 /* Add the loads, large ones first, those a thousandfold apart at most together: what is left where large ones cancel hides no
  * small one then. */
-static void sp__loads_add(const sp_problem *problem, int32_t first, const int32_t *next)
+static void sp__loads_add(const sp_problem *problem, const sp__load_list *list)
 {
     const sp_load *load = problem->scene->load;
     sp_real most = SP__HUGE, high = 0;                  /* 0: none is too large yet */
     while (most > 0) {
         const sp_real low = most / 1000;
         most = 0;
-        for (int32_t k = first; k >= 0; k = sp__load_after(problem, next, k)) {
+        for (int32_t k = list->first; k >= 0; k = sp__load_after(problem, list, k)) {
             const sp_real size = sp__norm3(load[k].force) + sp__norm3(load[k].couple) + load[k].mass;
+            const int32_t row = sp__load_row(problem, list, k);
+            if (row < 0) continue;
             if (size < low) most = sp__max(most, size);
-            else if (!(high > 0) || size < high) sp__problem_load(problem, &load[k]);
+            else if (!(high > 0) || size < high) sp__problem_load(problem, &load[k], row);
         }
         high = low;
     }
 }
 
-/* p = weight + loads + live multiple x live ones, of all loads from `first` on; a held direction keeps its row, whoever solves
- * masks it. */
-static sp_status sp__problem_loads(const sp_problem *problem, int32_t first, const int32_t *next)
+/* p = weight + loads + live multiple x live ones; a held direction keeps its row, whoever solves masks it. */
+static sp_status sp__problem_loads(const sp_problem *problem, const sp__load_list *list)
 {
-    const sp_load *load = problem->scene->load;
     sp_status status = sp__problem_clear(problem);
     if (status) return status;
-    sp__loads_add(problem, first, next);
+    sp__loads_add(problem, list);
     status = sp__problem_sum(problem);
     if (status) return status;
-    for (int32_t k = first; k >= 0; k = sp__load_after(problem, next, k)) sp__load_clear_sums(problem, &load[k]);
+    for (int32_t k = list->first; k >= 0; k = sp__load_after(problem, list, k)) {
+        const int32_t row = sp__load_row(problem, list, k);
+        if (row >= 0) sp__load_clear_sums(problem, &problem->scene->load[k], row);
+    }
     return SP_OK;
 }
 
@@ -270,7 +280,8 @@ static sp_status sp__problem_fill(sp_problem *problem)
     const sp_scene *scene = problem->scene;
     int32_t row = 0, contact = 0;
     for (int32_t k = 0; k < scene->count.blocks; k++) if (scene->block[k].fixed != SP_FIXED) problem->block[row++] = k;
-    const sp_status status = sp__problem_loads(problem, scene->count.loads ? 0 : -1, NULL);
+    const sp__load_list all = { scene->count.loads ? 0 : -1, NULL, NULL };
+    const sp_status status = sp__problem_loads(problem, &all);
     if (status) return status;
     memset(problem->local, 0, (size_t)problem->points * sizeof *problem->local);
     for (int32_t k = 0; k < scene->count.joints; k++) {
