@@ -3,11 +3,17 @@
 #
 #     ONLY=text    only lines whose names contain the text; two runs of different lines may go side by side
 #     STRICT=1     what could not be run counts as a failure
+#     --list       names of all lines, run or not, which trust.sh asks for
 #
 # Each line becomes a row of tests/NIGHTLY.md, to be committed: when, of which commit, seconds of processor, and the last line
 # that its command said. A row stays until that line is run again, so a night may be put together from pieces.
 . tests/checks/tally.sh
 TIMES=1
+listed=
+if [ "${1:-}" = --list ]; then                          # of machines that have everything
+    listed=1
+    have() { :; }
+fi
 out=build/nightly
 table=tests/NIGHTLY.md
 mkdir -p $out
@@ -31,6 +37,7 @@ row() {
 line() {                                                # line NAME COMMAND...
     line_name=$1
     shift
+    if [ "$listed" ]; then echo "$line_name"; return; fi
     case $line_name in *"${ONLY:-}"*) ;; *) return ;; esac
     line_failed=$failed
     begun
@@ -60,7 +67,7 @@ case ${1:-} in
 long_san | instrument | strong) "$@"; exit ;;
 esac
 
-if [ -f build/python/made ]; then
+if [ "$listed" ] || [ -f build/python/made ]; then
     line "1,000,000 random towers from Python against the closed form" \
         env PYTHONPATH=build/python python3 -B tests/python/towers.py 1000000 1
 else skip "1,000,000 random towers from Python" python3; fi
@@ -70,7 +77,7 @@ if have clang; then
     line "all samples, clang's UBSan" sh "$0" long_san clang undefined
     line "all samples, clang's MSan, memory forgotten before each test" sh "$0" long_san clang memory
 else skip "clang's UBSan and MSan" clang; fi
-if /usr/bin/python3 -c 'import numpy, scipy.optimize' 2> /dev/null; then
+if [ "$listed" ] || /usr/bin/python3 -c 'import numpy, scipy.optimize' 2> /dev/null; then
     line "300 random scenes against linear programming" /usr/bin/python3 -B tests/oracle/random.py --seed "$(date +%Y%m%d)"
     for kind in strength loads supports masses; do
         line "200 random scenes, $kind, against linear programming" \
@@ -86,16 +93,20 @@ if have clang-19; then line "battery: shadows of 113 bits" sh "$0" instrument sh
 else skip "shadows of 113 bits" "clang-19 libclang-rt-19-dev"; fi
 line "strong verdicts: 113 bits, attempts to move, 2,000 random scenes" \
     sh "$0" strong tests/scenes $(ls -d ../shared/cases ../shared/zoo 2> /dev/null)
-if [ -d ../shared/cases ]; then
+if [ "$listed" ] || [ -d ../shared/cases ]; then
     line "cases: 113 bits" sh "$0" instrument cases-quad
     if have g++; then line "cases: two samples of random rounding" sh "$0" instrument cases-chance; fi
     if have clang-19; then line "cases: shadows of 113 bits" sh "$0" instrument cases-shadows; fi
     line "cases: coupled, every assembly in weaker forms and written otherwise" env EVERY=1 ONLY=cases sh tests/checks/check.sh
 else lack "cases of known truth" ../shared/cases; fi
 if have python3 && have tcc; then
-    line "300 mutants of the certificate check" python3 -B tests/mutation/mutate.py --of proof --sample 300 --seed "$(date +%Y%m%d)" --hashes --quiet
-    line "100 mutants of verify" python3 -B tests/mutation/mutate.py --of verify --sample 100 --seed "$(date +%Y%m%d)" --hashes --quiet
-    line "60 mutants of limit" python3 -B tests/mutation/mutate.py --of limit --sample 60 --seed "$(date +%Y%m%d)" --quiet
+    mutants='python3 -B tests/mutation/mutate.py --quiet --seed '$(date +%Y%m%d)
+    # shellcheck disable=SC2086
+    {
+        line "300 mutants of the certificate check" $mutants --of proof --sample 300 --hashes
+        line "100 mutants of verify" $mutants --of verify --sample 100 --hashes
+        line "60 mutants of limit" $mutants --of limit --sample 60
+    }
 else skip "mutants" "python3 tcc"; fi
 if have python3 && have clang-19 && have llvm-cov-19; then
     line "lines, branches, conditions of all folders" sh tests/mutation/coverage.sh
@@ -119,6 +130,7 @@ if have qemu-system-arm; then
     line "boards: all tests on all of them" sh port/board/boards.sh
 else skip "footprint, boards" "qemu-system-arm"; fi
 
+if [ "$listed" ]; then exit; fi
 if [ $((passed + failed)) -eq 0 ] && [ -z "$skipped" ]; then
     echo "no line of nightly is called ${ONLY:-}"
     exit 1
