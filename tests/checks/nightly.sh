@@ -103,13 +103,13 @@ if have python3 && have tcc; then
     mutants='python3 -B tests/mutation/mutate.py --quiet --seed '$(date +%Y%m%d)
     # shellcheck disable=SC2086
     {
-        line "300 mutants of the certificate check" $mutants --of proof --sample 300 --hashes
-        line "100 mutants of verify" $mutants --of verify --sample 100 --hashes
-        line "60 mutants of limit" $mutants --of limit --sample 60
+        line "300 mutants of the certificate check" $mutants --of proof --sample 300 --hashes --least 95
+        line "100 mutants of verify" $mutants --of verify --sample 100 --hashes --least 97
+        line "60 mutants of limit" $mutants --of limit --sample 60 --least 70
     }
 else skip "mutants" "python3 tcc"; fi
 if have python3 && have clang-19 && have llvm-cov-19; then
-    line "lines, branches, conditions of all folders" sh tests/mutation/coverage.sh
+    line "lines, branches, conditions of all folders" env LEAST=90 sh tests/mutation/coverage.sh
 else skip "coverage" "python3 clang-19 llvm-19 libclang-rt-19-dev"; fi
 if have python3; then
     line "worker: 10,000 mutated requests, 500 timeouts, 400 clients that die" python3 -B tests/checks/worker.py build/stonepack --whole
