@@ -3,6 +3,7 @@
 #
 #     sh tests/fuzz/campaign.sh HOW TARGET      a piece of CAMPAIGN_SECONDS (300) of clock, unless the campaign is whole: libFuzzer,
 #                                               HOW is sanitized (ASan, clang's UBSan) or optimised (-O2, for depth)
+#                                               MORE=1: a piece although it is whole
 #     sh tests/fuzz/campaign.sh --keep [TARGET...]  the fewest inputs that reach what all of them reached, into tests/fuzz/kept
 #     sh tests/fuzz/campaign.sh --table         what was reached, of which commits
 #
@@ -25,7 +26,10 @@ left() { awk -F, -v t="$1" -v h="$2" -v w="$(wanted "$1" "$2")" '$1 == t && $2 =
 
 piece() {                                               # piece HOW TARGET
     pi_left=$(left "$2" "$1")
-    if [ "$pi_left" -eq 0 ]; then sum "$2" "$1"; return; fi
+    if [ "$pi_left" -eq 0 ]; then
+        if [ -z "${MORE:-}" ]; then sum "$2" "$1"; return; fi
+        pi_left=-1                                      # as many as there is time for
+    fi
     guided "$2" "$1"
     seeds "$2"
     unpack "$2"
@@ -61,5 +65,5 @@ case ${1:-} in
     for h in sanitized optimised; do for t in scene qp obj qps json blob; do echo "$t, $h: $(sum $t $h)"; done; done ;;
 sanitized | optimised)
     case ${2:-} in scene | qp | obj | qps | json | blob) piece "$1" "$2" ;; *) echo "no target is called ${2:-}"; exit 1 ;; esac ;;
-*) sed -n '2,11s/^# \{0,1\}//p' "$0"; exit 64 ;;
+*) sed -n '2,12s/^# \{0,1\}//p' "$0"; exit 64 ;;
 esac
