@@ -736,11 +736,19 @@ check_oracle() {
     fi
 }
 mixed_tests() { tests_of "$core" stonepack.c -O1 "$CC" -DSP_REAL_MIXED; }
+# What was wrong in quad alone.
+quad_tests() {
+    # shellcheck disable=SC2086
+    $CC $plain -O0 -w -DSP_REAL_QUAD -D_XOPEN_SOURCE=700 -include quadmath.h '-DSP_SQRT(x)=sqrtq(x)' '-DTEST_SUITES=X(mesh)' \
+        tests/run.c tests/scene/test_mesh.c tests/scenes/gen.c stonepack.c -Wl,--no-as-needed -lquadmath -lm -o $out/run_quad &&
+        $out/run_quad mesh/in_quad_
+}
 check_instruments() {                                   # the battery of hard scenes in other arithmetic; nightly.sh has more
     for in_name in float mixed rounding traps flush near; do
         part "battery: $in_name" sh tests/instruments/instruments.sh $in_name
     done
     count "tests, factors in float" mixed_tests
+    count "tests, quad" quad_tests
     SHOW=1
     part "battery: quad; each scene's omega, growth of rounding, time" sh tests/instruments/instruments.sh quad
     if have python3; then part "double, mixed, quad, float: the same verdicts outside their bands" sh tests/instruments/instruments.sh precisions

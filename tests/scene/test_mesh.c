@@ -181,6 +181,20 @@ TEST(open_meshes_are_refused)
     mass_refused(&mesh, SP_E_OPEN, "triangle missing");
 }
 
+/* Whole numbers leave the low half of 113 bits 0: as they were hashed all eight vertices were one, and any faces closed. */
+TEST(in_quad_a_cube_without_a_face_was_closed)
+{
+    sp_real xyz[24];
+    for (int k = 0; k < 6; k++) {
+        int32_t corner[20];
+        sp_mesh mesh = box(xyz, 0, 0, 0, 1, 2, 3);
+        for (int i = 0; i < 20; i++) corner[i] = box_corner[i < 4 * k ? i : i + 4];
+        mesh.faces = 5;
+        mesh.corner = corner;
+        mass_refused(&mesh, SP_E_OPEN, "a face is missing");
+    }
+}
+
 /* A fifth corner on an edge that the neighbour does not have is a gap; a triangle without area closes it, legally. */
 TEST(a_face_without_area_closes_a_gap)
 {
@@ -351,6 +365,7 @@ TEST_LIST(mesh)
     RUN(equal_coordinates_are_the_same_vertex)
     RUN(a_vertex_off_by_an_ulp_opens_the_mesh)
     RUN(open_meshes_are_refused)
+    RUN(in_quad_a_cube_without_a_face_was_closed)
     RUN(a_face_without_area_closes_a_gap)
     RUN(inward_meshes_say_so)
     RUN(needles_and_plates_have_a_volume)
