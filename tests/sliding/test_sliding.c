@@ -197,6 +197,21 @@ TEST(a_state_does_not_depend_on_how_the_scene_is_written)
     }
 }
 
+/* Pressed on, a cantilever stands under any multiple: no end bounds the program, which stopped at any vertex. */
+TEST(lower_was_0_or_18_by_the_order_of_blocks_where_pressure_carries_any_multiple)
+{
+    for (int round = 0; round < 6; round++) {
+        int32_t place[MOST], name[MOST];
+        sp_scene s = pushed("cantilever", "reach", 1, 0, -1), t;
+        change c = none();
+        c.permute = round > 0;
+        copy(&s, &c, &t, place, name);
+        for (int k = 0; k < 3; k++) t.body[k] = s.body[k];
+        const sp_sliding_result r = slide(&t, &one_start);
+        if (EXACT) CHECK_NEAR(r.lower, 1000, 1e-3);     /* where it ends now: times live loads as large as dead ones */
+    }
+}
+
 TEST(a_state_that_is_changed_proves_nothing)
 {
     sp_scene s = pushed("two-cubes", "offset", 0, 1, 0);
@@ -404,6 +419,7 @@ TEST_LIST(sliding)
     RUN(a_wall_of_ferris_and_tin_loi_slides_below_its_published_multiple)
     RUN(more_starts_find_no_higher_state)
     RUN(a_state_does_not_depend_on_how_the_scene_is_written)
+    RUN(lower_was_0_or_18_by_the_order_of_blocks_where_pressure_carries_any_multiple)
     RUN(a_state_that_is_changed_proves_nothing)
     RUN(loads_along_every_motion_do_all_the_work_there_is)
     RUN(scenes_that_are_not_planar_keep_the_associative_value)
