@@ -565,6 +565,37 @@ TEST(the_lowest_stone_is_suggested_whatever_its_number)
     }
 }
 
+/* A beam over the edge and what weighs it down: whichever is taken away, the other falls, though it is block 0. */
+TEST(what_holds_block_0_down_is_not_suggested)
+{
+    static const double mass[3] = { 400, 400, 1 }, x[3] = { 1, -0.5, 0 }, z[3] = { 0.5, 1.5, -0.5 };
+    for (int turn = 0; turn < 2; turn++) {              /* the beam is block 0, or 1 */
+        const sp_capacity cap = { 3, 0, 0, 0, 2, 8, 0 };
+        const sp_strength dry = sp_strength_friction(R(0.6));
+        sp_scene s;
+        sp_suggestion next;
+        test_arena.used = 0;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        for (int b = 0; b < 3; b++) {
+            const int what = b < 2 && turn ? 1 - b : b;
+            const sp_real middle[3] = { R(x[what]), 0, R(z[what]) };
+            CHECK_INT(sp_scene_body(&s, R(mass[what]), middle, b < 2 ? 0 : SP_FIXED, NULL), SP_OK);
+        }
+        for (int k = 0; k < 2; k++) {                   /* the beam on the support, the weight on the beam */
+            const sp_real to = k ? 0 : R(0.5), up = R(k), h = R(0.5);
+            const sp_real foot[12] = { -1, -h, up, to, -h, up, to, h, up, -1, h, up };
+            CHECK_INT(sp_scene_joint(&s, k ? turn : 2, k ? 1 - turn : turn, 4, foot, &dry, NULL), SP_OK);
+        }
+        sp_sequence *q = open_sequence(&s, NULL);
+        NEED(q != NULL);
+        take(q, turn, SP_PRESENT);
+        CHECK_INT(take(q, 1 - turn, SP_PRESENT).verdict, SP_STABLE);
+        NEED(sp_sequence_suggest(q, 0, 0, &next) == SP_OK);
+        CHECK_INT(next.block, -1);
+        CHECK_INT(next.tried, 2);
+    }
+}
+
 TEST(asking_changes_nothing)
 {
     sp_scene s;
@@ -807,6 +838,7 @@ TEST_LIST(sequence)
     RUN_FULL(what_is_undecided_proves_no_held_set_minimal)
     RUN(a_suggested_stone_keeps_everything_standing)
     RUN(the_lowest_stone_is_suggested_whatever_its_number)
+    RUN(what_holds_block_0_down_is_not_suggested)
     RUN(asking_changes_nothing)
     RUN_FULL(a_wall_stone_by_stone_costs_less_than_ten_checks)
     RUN(a_budget_ends_the_search_with_a_set_that_stands)
