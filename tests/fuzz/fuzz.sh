@@ -5,7 +5,7 @@
 #                                               clang as --quick
 #     sh tests/fuzz/fuzz.sh --quick [TARGET...] a plain loop (loop.c): all targets with gcc's ASan and UBSan, then those that ask
 #                                               the library alone, optimised; FUZZ_SECONDS (4) of processor each, 20,000 small
-#                                               scenes
+#                                               scenes; inputs that campaigns have kept, once each
 # With `scene` a fault is put into the certificate check at the end, and must be found. Very many executions: campaign.sh.
 #
 #     scene   a small scene by port/fuzz, every question, its invariants          obj    scene files, JSON of COMPAS
@@ -34,6 +34,15 @@ loop() {                                                # loop TARGET HOW PROGRA
         echo "as a scene: $out/scene-found.obj" >> "$out/$1.log"
     fi
     said "$1" "$2, seed $seed" $lo_status "$out/$1.log"
+}
+kept() {                                                # kept TARGET PROGRAM: each input that campaigns have kept, once
+    unpack "$1"
+    find "$out/kept/$1" -type f > "$out/$1-kept.txt"
+    if [ ! -s "$out/$1-kept.txt" ]; then return; fi
+    ke_status=0
+    xargs -n 200 "$2" < "$out/$1-kept.txt" > "$out/$1-kept.log" 2>&1 || ke_status=$?
+    echo "$(wc -l < "$out/$1-kept.txt") executions" >> "$out/$1-kept.log"
+    said "$1" "kept inputs, ASan, UBSan" $ke_status "$out/$1-kept.log"
 }
 as_scene() {                                            # as_scene FILE: what was found as a scene file, which the program reads
     make -s build/libstonepack.a build/stonepack > /dev/null
@@ -77,6 +86,7 @@ else
         # shellcheck disable=SC2086
         link "$t" $out/gcc build/asan.o tests/fuzz/loop.c "$out/$t" gcc $san
         loop "$t" "ASan, UBSan" "$out/$t" "${seconds:-4}"
+        kept "$t" "$out/$t"
     done
     [ -f build/stonepack.o ] || make -s build/stonepack.o > /dev/null
     for t in $targets; do
