@@ -565,6 +565,43 @@ TEST(the_lowest_stone_is_suggested_whatever_its_number)
     }
 }
 
+/* Whichever stones are there, in whatever numbering: a load pushes its stone off, as a check of what is there says. */
+TEST(loads_were_left_out_where_blocks_are_not_in_the_order_of_their_numbers)
+{
+    static const double x[4] = { 0, 0, -0.5, 0.5 }, z[4] = { -0.5, 0.5, 1.5, 1.5 };
+    /* support, base, two on it */
+    static const int32_t name[4][4] = { { 0, 1, 2, 3 }, { 3, 2, 1, 0 }, { 1, 3, 0, 2 }, { 2, 0, 3, 1 } };
+    for (int turn = 0; turn < 4; turn++)
+        for (int on = 2; on < 4; on++) {
+            const sp_capacity cap = { 4, 0, 0, 0, 3, 12, 1 };
+            const sp_strength dry = sp_strength_friction(R(0.6));
+            const int32_t *n = name[turn];
+            sp_scene s;
+            sp_result r;
+            test_arena.used = 0;
+            NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+            for (int b = 0; b < 4; b++) {
+                int what = 0;
+                while (n[what] != b) what++;
+                const sp_real middle[3] = { R(x[what]), 0, R(z[what]) };
+                CHECK_INT(sp_scene_body(&s, 100, middle, what ? 0 : SP_FIXED, NULL), SP_OK);
+            }
+            for (int k = 1; k < 4; k++) {
+                const sp_real w = k == 1 ? 1 : R(0.5), h = R(0.5), a = R(x[k]) - w, e = R(x[k]) + w, up = R(z[k]) - h;
+                const sp_real foot[12] = { a, -h, up, e, -h, up, e, h, up, a, h, up };
+                CHECK_INT(sp_scene_joint(&s, n[k == 1 ? 0 : 1], n[k], 4, foot, &dry, NULL), SP_OK);
+            }
+            const sp_load push = { .block = n[on], .force = { 0, 2000, 0 }, .point = { R(x[on]), 0, R(z[on]) } };
+            CHECK_INT(sp_scene_load(&s, &push, NULL), SP_OK);
+            NEED(sp_check(&s, NULL, &test_arena, &r) == SP_OK);
+            CHECK_INT(r.verdict, SP_UNSTABLE);
+            sp_sequence *q = open_sequence(&s, NULL);
+            NEED(q != NULL);
+            for (int k = 1; k < 4; k++)
+                CHECK_INT(take(q, n[k], SP_PRESENT).verdict, k < on ? SP_STABLE : SP_UNSTABLE);
+        }
+}
+
 /* A beam over the edge and what weighs it down: whichever is taken away, the other falls, though it is block 0. */
 TEST(what_holds_block_0_down_is_not_suggested)
 {
@@ -839,6 +876,7 @@ TEST_LIST(sequence)
     RUN(a_suggested_stone_keeps_everything_standing)
     RUN(the_lowest_stone_is_suggested_whatever_its_number)
     RUN(what_holds_block_0_down_is_not_suggested)
+    RUN(loads_were_left_out_where_blocks_are_not_in_the_order_of_their_numbers)
     RUN(asking_changes_nothing)
     RUN_FULL(a_wall_stone_by_stone_costs_less_than_ten_checks)
     RUN(a_budget_ends_the_search_with_a_set_that_stands)
