@@ -4,6 +4,7 @@
 #include "eva.h"
 #include "../../solvers/base/words.c"
 #include "../../solvers/proof/refute.c"
+#include "../../solvers/proof/shear.c"
 #include "../../solvers/proof/still.c"
 #include "../../solvers/proof/sliding.c"
 
@@ -168,4 +169,14 @@ void eva_still(void)
     sp__still_delta(&judge, inertia);
     sp__still_reach(&w);
     sp__still_leaf(&w, 0, ENTRIES);
+}
+
+/* Forces without torsion and the motion along a tree of joints, with live loads and without. */
+void eva_even(void)
+{
+    static sp_real live[6 * BLOCKS];
+    sp_arena a = memory_of(0);
+    opened(0, &a);
+    any_numbers(live, 6 * BLOCKS);
+    sp__certify_even(&judge, f, any_whole(0, 1) ? live : NULL, &a);
 }
