@@ -18,4 +18,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
     fputc('\n', stderr); \
     abort(); } } while (0)
 
+/* Nobody has written there yet, to MSan; memory of the targets is static, which is written to it. */
+#ifdef __has_feature
+#if __has_feature(memory_sanitizer)
+#include <sanitizer/msan_interface.h>
+#define FORGET(at, n) __msan_allocated_memory(at, n)
+#endif
+#endif
+#ifndef FORGET
+#define FORGET(at, n) ((void)0)
+#endif
+
 #endif

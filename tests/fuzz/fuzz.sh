@@ -1,8 +1,8 @@
 #!/bin/sh
 # fuzz: any bytes into every reader and every question.
 #
-#     sh tests/fuzz/fuzz.sh [TARGET...]         libFuzzer with ASan and clang's UBSan, FUZZ_SECONDS (30) of clock each; without
-#                                               clang as --quick
+#     sh tests/fuzz/fuzz.sh [TARGET...]         libFuzzer with ASan and clang's UBSan, then those that ask the library alone with
+#                                               MSan; FUZZ_SECONDS (30) of clock each; without clang as --quick
 #     sh tests/fuzz/fuzz.sh --quick [TARGET...] a plain loop (loop.c): all targets with gcc's ASan and UBSan, then those that ask
 #                                               the library alone, optimised; FUZZ_SECONDS (4) of processor each, 20,000 small
 #                                               scenes; inputs that campaigns have kept, once each
@@ -66,17 +66,20 @@ planted() {
         [ "$(wc -c < $out/planted-found)" -le 60 ] && as_scene $out/planted-found
 }
 
+by_libfuzzer() {                                        # by_libfuzzer TARGET HOW WHAT
+    unpack "$1"
+    guided "$1" "$2"
+    mkdir -p "$out/corpus/$1"
+    by_status=0
+    "$out/$2-$1" -max_total_time="${seconds:-30}" -timeout=60 -rss_limit_mb=3000 -max_len=4000 -artifact_prefix="$out/$1-" \
+        -print_final_stats=1 "$out/corpus/$1" "$out/seeds/$1" "$out/kept/$1" > "$out/$1-$2.log" 2>&1 || by_status=$?
+    said "$1" "libFuzzer, $3" $by_status "$out/$1-$2.log"
+}
+
 for t in $targets; do seeds "$t"; done
 if [ -z "$quick" ] && command -v clang > /dev/null; then
-    for t in $targets; do
-        unpack "$t"
-        guided "$t" sanitized
-        mkdir -p "$out/corpus/$t"
-        status=0
-        "$out/sanitized-$t" -max_total_time="${seconds:-30}" -timeout=60 -rss_limit_mb=3000 -max_len=4000 -artifact_prefix="$out/$t-" \
-            -print_final_stats=1 "$out/corpus/$t" "$out/seeds/$t" "$out/kept/$t" > "$out/$t.log" 2>&1 || status=$?
-        said "$t" "libFuzzer, ASan, UBSan" $status "$out/$t.log"
-    done
+    for t in $targets; do by_libfuzzer "$t" sanitized "ASan, UBSan"; done
+    for t in $targets; do ! alone "$t" || by_libfuzzer "$t" forgotten MSan; done
 else
     san='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
     # shellcheck disable=SC2086

@@ -87,6 +87,7 @@ static size_t memory(const drawn *d)
 {
     sp_arena scratch;
     size_t bytes = 0;
+    FORGET(more, sizeof more);
     sp_arena_init(&scratch, more, sizeof more);
     HOLDS(sp_qp_memory_scratch(&d->qp, &d->set) <= sizeof more, "scratch");
     scratch.capacity = sp_qp_memory_scratch(&d->qp, &d->set);
@@ -144,6 +145,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const size_t bytes = memory(&d);
     if (!bytes) return 0;
     if (d.mode & 16) refused(&d, bytes);
+    FORGET(room, sizeof room);
     sp_arena_init(&a, room, bytes);
     const sp_status status = sp_qp_solve(&d.qp, &d.set, &a, NULL, NULL, &r);
     HOLDS(status != SP_E_MEMORY, "%zu bytes are not enough", bytes);

@@ -44,8 +44,15 @@ link() {                                                # link TARGET PROGRAM LI
 # fresh OBJECT: is it newer than all of the library?
 fresh() { [ -f "$1" ] && [ -z "$(find stonepack.c stonepack.h solvers -newer "$1" -name '*.[ch]' | head -n 1)" ]; }
 
-# For libFuzzer: sanitized by ASan and clang's UBSan, or optimised.
-flags() { case $1 in sanitized) echo '-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' ;; *) echo '-O2 -g' ;; esac; }
+# For libFuzzer: sanitized by ASan and clang's UBSan; forgotten, memory that nobody has written, by MSan, for targets that ask the
+# library alone; or optimised.
+flags() {
+    case $1 in
+    sanitized) echo '-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' ;;
+    forgotten) echo '-O1 -g -fsanitize=memory -fno-sanitize-recover=all' ;;
+    *) echo '-O2 -g' ;;
+    esac
+}
 # shellcheck disable=SC2046,SC2086
 guided() {                                              # guided TARGET HOW: build/fuzz/HOW-TARGET
     fresh "$out/$2.o" || clang $(flags "$2") -fsanitize=fuzzer-no-link $plain -c stonepack.c -o "$out/$2.o"
