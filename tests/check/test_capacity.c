@@ -1,5 +1,5 @@
-/* Every capacity from nothing to what a call needs: it refuses with SP_E_MEMORY, touches neither result nor arena and no byte
- * behind, until it has enough; from there on it answers. */
+/* Every capacity from nothing to what a call needs, by the default settings and by others that take other memory: it refuses with
+ * SP_E_MEMORY, touches neither result nor arena and no byte behind, until it has enough; from there on it answers. */
 #include "../test.h"
 #include "../scenes/gen.h"
 
@@ -11,7 +11,9 @@ enum { FENCE = 64, PAINT = 0x5a };
 /* What is asked, with a scene, its result of an ordinary check, and a result that is painted before every call. */
 typedef struct question {
     const sp_scene *scene;
+    const sp_settings *set;                             /* NULL: the default ones */
     const sp_result *checked;
+    sp_arena result;                                    /* of a check whose stages work elsewhere */
 #ifndef SP_NO_IPM
     const sp_limit_result *limited;
 #endif
@@ -59,8 +61,17 @@ typedef struct question {
 
 typedef sp_status (*call)(question *q, sp_arena *a);
 
-static sp_status ask_check(question *q, sp_arena *a) { return sp_check(q->scene, NULL, a, &q->answer.check); }
-static sp_status ask_verify(question *q, sp_arena *a) { return sp_verify(q->scene, NULL, q->checked, *a, &q->answer.verify); }
+static sp_status ask_check(question *q, sp_arena *a) { return sp_check(q->scene, q->set, a, &q->answer.check); }
+static sp_status ask_verify(question *q, sp_arena *a) { return sp_verify(q->scene, q->set, q->checked, *a, &q->answer.verify); }
+static sp_status ask_work_arena(question *q, sp_arena *a)
+{
+    sp_settings set = *q->set;
+    sp_arena whole = q->result;
+    set.work = a;
+    const sp_status status = sp_check(q->scene, &set, &whole, &q->answer.check);
+    CHECK(status == SP_OK || whole.used == 0);
+    return status;
+}
 static sp_status ask_sequence(question *q, sp_arena *a) { return sp_sequence_open(q->scene, NULL, a, &q->answer.sequence); }
 static sp_status ask_problem(question *q, sp_arena *a) { return sp_problem_build(q->scene, a, &q->answer.problem); }
 static sp_status ask_memory(question *q, sp_arena *a) { return sp_memory(q->scene, SP_FOR_CHECK, NULL, *a, &q->answer.bytes); }
@@ -156,6 +167,19 @@ static sp_status ask_qp(question *q, sp_arena *a)
     const sp_qp qp = program();
     return sp_qp_solve(&qp, NULL, a, NULL, NULL, &q->answer.qp);
 }
+static sp_status solve_by(sp_qp_method method, sp_qp_backend backend, question *q, sp_arena *a)
+{
+    const sp_qp qp = program();
+    sp_qp_settings set = sp_qp_default();
+    set.method = method;
+    set.backend = backend;
+    return sp_qp_solve(&qp, &set, a, NULL, NULL, &q->answer.qp);
+}
+static sp_status ask_qp_admm(question *q, sp_arena *a) { return solve_by(SP_QP_ADMM, SP_QP_SPARSE, q, a); }
+static sp_status ask_qp_dense(question *q, sp_arena *a) { return solve_by(SP_QP_ADMM, SP_QP_DENSE, q, a); }
+#ifndef SP_QP_NO_INTERIOR
+static sp_status ask_qp_interior(question *q, sp_arena *a) { return solve_by(SP_QP_INTERIOR, SP_QP_SPARSE, q, a); }
+#endif
 static sp_status ask_work(question *q, sp_arena *a)
 {
     const sp_qp qp = program();
@@ -188,23 +212,45 @@ static size_t sweep(question *q, call ask, size_t most, size_t step)
     return enough;
 }
 
-static const struct { const char *what; call ask; sp_memory_for need; int exact; } table[] = {
-    { "check", ask_check, SP_FOR_CHECK, 1 }, { "verify", ask_verify, SP_FOR_VERIFY, 0 },
-    { "problem", ask_problem, SP_FOR_PROBLEM, 1 },
-    { "sequence", ask_sequence, SP_FOR_SEQUENCE, 1 },
+/* Other settings than the default ones. What a coupled check takes is told at most: the arch, pushed by `body`, falls before. */
+typedef void (*choice)(sp_settings *set);
+static void as_it_is(sp_settings *set) { (void)set; }
+static void eight_faces(sp_settings *set) { set->faces = 8; }
+#ifndef SP_NO_CRA
+static void coupled(sp_settings *set) { set->coupled.asked = 1; set->coupled.nodes = 20; }
+static void coupled_without_tree(sp_settings *set) { set->coupled.asked = 1; set->coupled.nodes = 0; }
+#endif
+#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+static void admm(sp_settings *set) { set->stage_count = 1; set->stage[0] = SP_STAGE_ADMM; }
+#endif
+
+static const struct { const char *what; call ask; sp_memory_for need; int exact; choice choose; } table[] = {
+    { "check", ask_check, SP_FOR_CHECK, 1, NULL }, { "verify", ask_verify, SP_FOR_VERIFY, 0, NULL },
+    { "check, 8 faces", ask_check, SP_FOR_CHECK, 1, eight_faces }, { "verify, 8 faces", ask_verify, SP_FOR_VERIFY, 0, eight_faces },
+    { "work of a check", ask_work_arena, SP_FOR_WORK, 1, as_it_is },
+    { "work of a check, 8 faces", ask_work_arena, SP_FOR_WORK, 1, eight_faces },
+#ifndef SP_NO_CRA
+    { "check, coupled", ask_check, SP_FOR_CHECK, 0, coupled },
+    { "check, coupled, no tree", ask_check, SP_FOR_CHECK, 0, coupled_without_tree },
+#endif
+#if !defined(SP_NO_QP) && !defined(SP_NO_ADMM)
+    { "check by ADMM", ask_check, SP_FOR_CHECK, 1, admm },
+#endif
+    { "problem", ask_problem, SP_FOR_PROBLEM, 1, NULL },
+    { "sequence", ask_sequence, SP_FOR_SEQUENCE, 1, NULL },
 #ifndef SP_NO_IPM
-    { "limit", ask_limit, SP_FOR_LIMIT, 0 }, { "limit_verify", ask_held, SP_FOR_LIMIT_VERIFY, 0 },
+    { "limit", ask_limit, SP_FOR_LIMIT, 0, NULL }, { "limit_verify", ask_held, SP_FOR_LIMIT_VERIFY, 0, NULL },
 #endif
 #ifndef SP_NO_STRONG
-    { "strong", ask_strong, SP_FOR_STRONG, 0 }, { "strong_verify", ask_proved, SP_FOR_STRONG_VERIFY, 0 },
+    { "strong", ask_strong, SP_FOR_STRONG, 0, NULL }, { "strong_verify", ask_proved, SP_FOR_STRONG_VERIFY, 0, NULL },
 #endif
 #ifndef SP_NO_SLIDING
-    { "sliding", ask_sliding, SP_FOR_SLIDING, 0 }, { "sliding_verify", ask_slid, SP_FOR_SLIDING_VERIFY, 0 },
+    { "sliding", ask_sliding, SP_FOR_SLIDING, 0, NULL }, { "sliding_verify", ask_slid, SP_FOR_SLIDING_VERIFY, 0, NULL },
 #endif
 #ifndef SP_NO_PLAN
-    { "plan", ask_plan, SP_FOR_PLAN, 0 },
+    { "plan", ask_plan, SP_FOR_PLAN, 0, NULL },
 #endif
-    { "contacts", ask_contacts, SP_FOR_CONTACTS, 0 },
+    { "contacts", ask_contacts, SP_FOR_CONTACTS, 0, NULL },
 };
 
 /* What follows from counts alone: the size that is told, 0 where none is, and then it is below `most`. */
@@ -214,6 +260,10 @@ static const struct { const char *what; call ask; size_t most; } alone[] = {
     { "scene_create", ask_created, 0 }, { "qp_solve", ask_qp, 8000 },
 #ifndef SP_NO_QP
     { "qp_setup", ask_work, 8000 }, { "qp_memory", ask_qp_memory, 8000 },
+    { "qp_solve by ADMM", ask_qp_admm, 8000 }, { "qp_solve, dense", ask_qp_dense, 8000 },
+#ifndef SP_QP_NO_INTERIOR
+    { "qp_solve by interior points", ask_qp_interior, 8000 },
+#endif
 #endif
 };
 
@@ -227,6 +277,21 @@ static void counts_alone(question *q, const char *scene)
             TEST_PRINT("    %s of %s: %ld of %ld bytes\n", alone[k].what, scene, (long)enough, (long)need);
         CHECK(enough < SIZE_MAX);
     }
+}
+
+/* Room for what a check keeps whose stages work elsewhere. */
+static sp_status take_result(question *q, const sp_settings *settings)
+{
+    sp_settings set = *settings;
+    sp_arena other = test_arena;
+    size_t bytes = 0;
+    set.work = &other;
+    const sp_status status = sp_memory(q->scene, SP_FOR_CHECK, &set, test_arena, &bytes);
+    const size_t from = (test_arena.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
+    const sp_arena result = { test_arena.base + from, bytes, 0, 0 };
+    q->result = result;
+    test_arena.used = from + bytes;
+    return status;
 }
 
 /* With every byte where the need is small, in steps of a word's length and one otherwise. */
@@ -264,8 +329,13 @@ TEST(every_capacity_is_refused_or_enough)
         q.slid = &slid;
 #endif
         for (size_t k = 0; k < sizeof table / sizeof table[0]; k++) {
+            const sp_arena all = test_arena;
+            sp_settings set = sp_settings_default();
             size_t need = 0;
-            NEED(sp_memory(&scene, table[k].need, NULL, test_arena, &need) == SP_OK);
+            if (table[k].choose) table[k].choose(&set);
+            q.set = table[k].choose ? &set : NULL;
+            NEED(sp_memory(&scene, table[k].need, q.set, test_arena, &need) == SP_OK);
+            if (table[k].need == SP_FOR_WORK) NEED(take_result(&q, &set) == SP_OK);
             const size_t step = need < 6000 ? SOME_OF(1, 3) : need / 400 | 1;
             const size_t enough = sweep(&q, table[k].ask, need, step);
             if (enough == SIZE_MAX) {                   /* the last step ended before it */
@@ -273,6 +343,7 @@ TEST(every_capacity_is_refused_or_enough)
                 if (!CHECK_INT(table[k].ask(&q, &a), SP_OK)) TEST_PRINT("    %s of %s\n", table[k].what, name[s]);
             } else if (!CHECK(enough > 0 && (!table[k].exact || enough + SP_ALIGN > need)))
                 TEST_PRINT("    %s of %s: %ld of %ld bytes\n", table[k].what, name[s], (long)enough, (long)need);
+            test_arena.used = all.used;
         }
         const size_t scratch = sweep(&q, ask_memory, sp_memory_scratch(&scene, SP_FOR_CHECK, NULL), 7);
         CHECK(scratch > 0);
