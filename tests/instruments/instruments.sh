@@ -47,6 +47,11 @@ run() {                                                 # run PROGRAM TO WORDS..
     shift 2
     $out/"$ru" "$@" > $out/"$to".txt || { grep -E 'WRONG|OPEN' $out/"$to".txt; echo "$to: wrong or missing, or stopped"; return 1; }
 }
+# The last line of what runs by night: of how many scenes, in all samples, a verdict was told.
+counted() {                                             # counted TO...
+    for co; do cat $out/"$co".txt; done |
+        awk -F'|' '{ gsub(/ /, "", $2); d += $2 != "undecided" } END { printf "%d scenes, %d decided, 0 wrong\n", NR, d }'
+}
 # The same verdicts as plain double, but where a row says it is open; a verdict against another is wrong everywhere.
 same() {                                                # same TO [PLAIN]
     awk -F'|' '{ gsub(/ /, "", $2); gsub(/ /, "", $3) }
@@ -150,10 +155,16 @@ cases-quad | cases-mixed | cases-shadows | cases-chance)
     build plain -O2; run plain plain-cases $scenes
     # shellcheck disable=SC2086
     case $name in
-    *-quad) quad; run quad quad $scenes; same quad plain-cases; table plain-cases quad ;;
+    *-quad) quad; run quad quad $scenes; same quad plain-cases; table plain-cases quad; counted quad ;;
     *-mixed) build mixed-rows -O2 -DSP_REAL_MIXED -DSP_NO_PLAN; run mixed-rows mixed $scenes; same mixed plain-cases ;;
-    *-shadows) shadow nsan $scenes; same nsan plain-cases; if grep -A 5 'WARNING: Numerical' $out/nsan.err; then exit 1; fi ;;
-    *-chance) chance; for k in 1 2; do export SEED=$k; run chance chance-$k $scenes; same chance-$k plain-cases; done ;;
+    *-shadows)
+        shadow nsan $scenes; same nsan plain-cases
+        if grep -A 5 'WARNING: Numerical' $out/nsan.err; then exit 1; fi
+        echo "$(counted nsan), 0 with forces that leave their shadows" ;;
+    *-chance)
+        chance
+        for k in 1 2; do export SEED=$k; run chance chance-$k $scenes; same chance-$k plain-cases; done
+        counted chance-1 chance-2 ;;
     esac ;;
 near) sh tests/bench/near.sh check ;;
 precisions)
@@ -171,15 +182,17 @@ precisions)
     python3 -B $own/precisions.py $out ${scenes:+../shared/cases} ;;
 chance)
     plain; chance
-    k=1
+    k=1 samples=
     while [ $k -le 20 ]; do
-        export SEED=$k
+        export SEED=$k samples="$samples chance-$k"
         if [ $k -gt 1 ]; then words='light short'; else words=light; fi
         # shellcheck disable=SC2086
         run chance chance-$k $words; same chance-$k
         k=$((k + 1))
     done
     awk -F'|' '{ n[$1]++; s[$1] += $5; if (n[$1] == 1 || $5 < lo[$1]) lo[$1] = $5; if ($5 > hi[$1]) hi[$1] = $5 }
-        END { for (k in n) if (s[k] > 0) printf "%.1e %s\n", (hi[k] - lo[k]) * n[k] / s[k], k }' $out/chance-*.txt | sort -g -r | head -n 10 ;;
+        END { for (k in n) if (s[k] > 0) printf "%.1e %s\n", (hi[k] - lo[k]) * n[k] / s[k], k }' $out/chance-*.txt | sort -g -r | head -n 10
+    # shellcheck disable=SC2086
+    counted $samples ;;
 *) echo "instruments: no $name" >&2; exit 64 ;;
 esac
