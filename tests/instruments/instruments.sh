@@ -47,10 +47,10 @@ run() {                                                 # run PROGRAM TO WORDS..
     shift 2
     $out/"$ru" "$@" > $out/"$to".txt || { grep -E 'WRONG|OPEN' $out/"$to".txt; echo "$to: wrong or missing, or stopped"; return 1; }
 }
-# The last line of what runs by night: of how many scenes, in all samples, a verdict was told.
+# The last line of what runs by night, once `same` has found no other verdict: of how many scenes, in all samples, one was told.
 counted() {                                             # counted TO...
     for co; do cat $out/"$co".txt; done |
-        awk -F'|' '{ gsub(/ /, "", $2); d += $2 != "undecided" } END { printf "%d scenes, %d decided, 0 wrong\n", NR, d }'
+        awk -F'|' '{ gsub(/ /, "", $2); d += $2 != "undecided" } END { printf "%d scenes, %d decided, none otherwise\n", NR, d }'
 }
 # The same verdicts as plain double, but where a row says it is open; a verdict against another is wrong everywhere.
 same() {                                                # same TO [PLAIN]
