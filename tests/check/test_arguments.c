@@ -372,6 +372,20 @@ TEST(contacts_are_found_with_distances_that_are_numbers)
     }
 }
 
+TEST(work_is_asked_only_of_an_arena_that_has_memory)
+{
+    sp_scene s;
+    sp_result r;
+    sp_settings set = sp_settings_default();
+    sp_arena nothing = none, a;
+    build("two-cubes", NULL, 0, &s);
+    a = test_arena;
+    set.work = &nothing;
+    r.verdict = SP_STABLE;
+    CHECK_INT(sp_check(&s, &set, &a, &r), SP_E_ARGUMENT);
+    CHECK(r.verdict == SP_STABLE && a.used == test_arena.used);
+}
+
 TEST(an_arena_needs_memory)
 {
     unsigned char few[4 * SP_ALIGN];
@@ -406,5 +420,6 @@ TEST_LIST(arguments)
     RUN(settings_of_a_coupled_check_and_effects_have_their_limits)
     RUN(the_constants_of_the_seed_have_their_limits)
     RUN(contacts_are_found_with_distances_that_are_numbers)
+    RUN(work_is_asked_only_of_an_arena_that_has_memory)
     RUN(an_arena_needs_memory)
 TEST_END

@@ -293,6 +293,26 @@ TEST(seven_h_models_side_by_side_are_refuted_each_and_verified_in_the_memory_tol
     }
 }
 
+TEST(an_island_whose_coupled_check_is_open_leaves_that_of_the_whole_open)
+{
+    const sp_scene h = part("h-model", NULL, 0, 0.45), c = part("two-cubes", NULL, 0, -1);
+    sp_scene s = room(h.count.blocks + c.count.blocks, h.count.joints + c.count.joints, h.count.points + c.count.points);
+    sp_settings set = sp_settings_default();
+    add(&s, &h, 0, plain);
+    add(&s, &c, 50, plain);
+    set.coupled.asked = 1;
+    set.coupled.nodes = 0;                              /* nothing is decided */
+    sp_arena a = test_arena;
+    const sp_result r = check(&s, &set, &a);
+    CHECK_INT(r.islands.count, 2);
+    CHECK_INT(r.islands.each[0].coupling, SP_COUPLING_NOT_FOUND);
+    CHECK_INT(r.islands.each[1].coupling, SP_COUPLING_COUPLED);
+    CHECK_INT(r.coupled.verdict, SP_COUPLING_NOT_FOUND);
+    CHECK_INT(r.coupled.reason, r.islands.each[0].coupling_reason);
+    CHECK(r.coupled.reason != SP_COUPLING_STATICS && r.coupled.reason != SP_COUPLING_NONE);
+    CHECK_INT(r.verdict, SP_UNDECIDED);
+}
+
 TEST(what_refutes_one_island_is_no_proof_against_another)
 {
     const sp_scene h = part("h-model", NULL, 0, 0.45), c = part("two-cubes", NULL, 0, -1);
@@ -589,6 +609,7 @@ TEST_LIST(islands)
     RUN(a_coupled_check_of_islands_answers_as_of_the_whole)
 #ifndef SP_NO_CRA
     RUN(seven_h_models_side_by_side_are_refuted_each_and_verified_in_the_memory_told)
+    RUN(an_island_whose_coupled_check_is_open_leaves_that_of_the_whole_open)
     RUN(what_refutes_one_island_is_no_proof_against_another)
     RUN(a_proof_is_judged_in_the_memory_told_and_refused_in_a_byte_less)
     RUN(a_proof_of_a_chain_is_judged_in_the_memory_told_and_refused_in_a_byte_less)

@@ -261,6 +261,23 @@ TEST(where_nothing_is_free_a_plan_has_no_island_as_a_check)
     }
 }
 
+#ifndef SP_NO_CRA
+TEST(a_forest_is_planned_without_a_search_only_with_all_iterations)
+{
+    const sp_scene s = part("two-cubes", NULL, 0, -1);
+    sp_settings set = sp_settings_default();
+    const int32_t all = set.iterations;
+    sp_outlook o;
+    set.coupled.asked = 1;
+    for (int fewer = 0; fewer < 2; fewer++) {
+        set.iterations = all - fewer;
+        CHECK_INT(sp_plan(&s, &set, test_arena, &o), SP_OK);
+        CHECK_INT(o.effect[SP_EFFECT_COUPLED].why, fewer ? SP_WHY_CALLED : SP_WHY_FOREST);
+        CHECK_INT(o.effect[SP_EFFECT_COUPLED].flops > 0, !fewer);
+    }
+}
+#endif
+
 TEST(a_plan_with_unusable_arguments_is_refused)
 {
     sp_scene s = part("two-cubes", NULL, 0, -1);
@@ -294,5 +311,8 @@ TEST_LIST(plan)
     RUN(an_effect_left_out_by_force_never_makes_a_wrong_verdict)
     RUN(a_plan_names_every_effect_and_its_bytes_are_those_of_the_check)
     RUN(where_nothing_is_free_a_plan_has_no_island_as_a_check)
+#ifndef SP_NO_CRA
+    RUN(a_forest_is_planned_without_a_search_only_with_all_iterations)
+#endif
     RUN(a_plan_with_unusable_arguments_is_refused)
 TEST_END

@@ -824,6 +824,45 @@ TEST(what_turns_in_place_is_the_block_that_moves)
     }
 }
 
+/* A stage of the caller's, which a build order has no use for. */
+static sp_status never_run(const sp_problem *problem, const sp_settings *settings, sp_state *state, sp_arena *arena,
+                           sp_verdict *claim)
+{
+    (void)problem; (void)settings; (void)state; (void)arena; (void)claim;
+    CHECK(0);
+    return SP_OK;
+}
+
+static size_t never_asked(const sp_problem *problem, const sp_settings *settings, sp_arena scratch)
+{
+    (void)problem; (void)settings; (void)scratch;
+    CHECK(0);
+    return 0;
+}
+
+/* Forces near those of the step before are the exact stage's; without it each step is a check. */
+TEST(without_the_exact_stage_every_step_has_the_verdict_of_a_check)
+{
+    sp_scene s;
+    sp_sequence *q = NULL;
+    sp_step step;
+    sp_settings set = sp_settings_default();
+    sp_result r;
+    set.stage_count = 2;
+    set.stage[1] = SP_STAGE_DENSE;
+    build("two-cubes", NULL, 0, &s);
+    sp_arena a = test_arena;
+    NEED(sp_check(&s, &set, &a, &r) == SP_OK);
+    NEED(sp_sequence_open(&s, &set, &test_arena, &q) == SP_OK);
+    for (int32_t k = 0; k < s.count.blocks; k++) CHECK_INT(sp_sequence_set(q, k, SP_PRESENT, &step), SP_OK);
+    CHECK_INT(step.verdict, r.verdict);
+    CHECK_INT(r.verdict, SP_STABLE);
+    for (int k = 0; k < 2; k++) {                       /* down and up again: the first forces are at hand */
+        CHECK_INT(sp_sequence_set(q, s.count.blocks - 1, k ? SP_PRESENT : SP_ABSENT, &step), SP_OK);
+        CHECK_INT(step.verdict, SP_STABLE);
+    }
+}
+
 TEST(what_makes_no_sense_is_refused)
 {
     sp_scene s;
@@ -845,6 +884,10 @@ TEST(what_makes_no_sense_is_refused)
     CHECK_INT(sp_sequence_open(&s, &set, &test_arena, &q), SP_E_UNSUPPORTED);
     set = sp_settings_default();
     set.stage[1] = SP_STAGE_ADMM;
+    CHECK_INT(sp_sequence_open(&s, &set, &test_arena, &q), SP_E_UNSUPPORTED);
+    static const sp_stage own = { never_run, never_asked };
+    set.stage[1] = SP_STAGE_CUSTOM;
+    set.custom = &own;
     CHECK_INT(sp_sequence_open(&s, &set, &test_arena, &q), SP_E_UNSUPPORTED);
     const int32_t blocks = s.count.blocks;
     s.count.blocks = 0;
@@ -883,5 +926,6 @@ TEST_LIST(sequence)
     RUN(sequence_memory_is_exact)
     RUN(the_same_steps_give_the_same_bits)
     RUN(what_turns_in_place_is_the_block_that_moves)
+    RUN(without_the_exact_stage_every_step_has_the_verdict_of_a_check)
     RUN(what_makes_no_sense_is_refused)
 TEST_END

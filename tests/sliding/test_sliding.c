@@ -265,6 +265,18 @@ TEST(scenes_that_are_not_planar_keep_the_associative_value)
     CHECK(r.upper >= r.associative && r.upper > 0);
 }
 
+/* Dead and live loads lean out of the plane by as much to either side: together they are in it. */
+TEST(loads_that_lie_in_a_plane_only_together_are_not_planar)
+{
+    sp_scene s = pushed("two-cubes", "offset", 0.1, 1, 0);
+    s.gravity[1] = R(0.25);
+    s.body[1] = -R(0.25);
+    const sp_sliding_result r = slide(&s, &one_start);
+    CHECK_INT(r.kind, SP_SLIDING_NONE);
+    CHECK_INT(r.reason, SP_SLIDING_NOT_ASKED);
+    CHECK(r.upper >= r.associative && r.upper > 0);
+}
+
 TEST(strength_of_joints_is_not_asked)
 {
     sp_scene s = pushed("two-cubes", "offset", 0.1, 1, 0);
@@ -348,6 +360,22 @@ TEST(what_a_budget_leaves_of_a_claim_is_part_of_it)
     CHECK(none > 0 && all > 0);
 }
 
+TEST(a_budget_beyond_what_may_be_spent_changes_no_bit)
+{
+    const sp_scene s = tipping();
+    sp_limit_result limit;
+    sp_sliding_result r[2];
+    NEED(sp_limit(&s, NULL, &test_arena, &limit) == SP_OK);
+    for (int k = 0; k < 2; k++) {
+        sp_settings set = sp_settings_default();
+        set.budget = k ? INT64_MAX / 4 : 0;
+        NEED(sp_sliding(&s, &set, &one_start, &limit, &test_arena, &r[k]) == SP_OK);
+    }
+    CHECK_INT(r[1].kind, r[0].kind);
+    CHECK(r[0].upper > 0 && r[1].upper == r[0].upper && r[1].lower == r[0].lower && r[1].lower_strong == r[0].lower_strong);
+    CHECK(r[1].cost.flops == r[0].cost.flops);
+}
+
 TEST(sliding_takes_the_memory_it_says_and_no_byte_less)
 {
     static const char *const name[] = { "two-cubes", "wall", "h-model" };
@@ -423,11 +451,13 @@ TEST_LIST(sliding)
     RUN(a_state_that_is_changed_proves_nothing)
     RUN(loads_along_every_motion_do_all_the_work_there_is)
     RUN(scenes_that_are_not_planar_keep_the_associative_value)
+    RUN(loads_that_lie_in_a_plane_only_together_are_not_planar)
     RUN(strength_of_joints_is_not_asked)
     RUN(the_same_seed_gives_the_same_bits)
     RUN(what_has_no_joint_or_no_stone_or_too_many_does_not_slide)
     RUN(multiples_that_are_claimed_are_in_their_order)
     RUN(what_a_budget_leaves_of_a_claim_is_part_of_it)
+    RUN(a_budget_beyond_what_may_be_spent_changes_no_bit)
     RUN(sliding_takes_the_memory_it_says_and_no_byte_less)
     RUN(sliding_questions_that_make_no_sense_are_refused)
 #endif
