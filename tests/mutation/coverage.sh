@@ -8,6 +8,7 @@
 # covers counts as covered.
 #
 #     OF=proof       this folder alone;  LEFT=1: its conditions that are left, too
+#     LEFT=compare   exit status 1 where conditions are left that left.txt does not argue; tells what it argues and is no longer left
 #     LEAST=95       exit status 1 where fewer per cent of the conditions of what is told are covered
 set -eu
 out=build/coverage
