@@ -120,7 +120,7 @@ tells() {                                               # on a terminal alone
     tr '\r' '\n' < "$tmp/said" > "$tmp/lines" && { ! slow || grep -q 'exact, [0-9]* factorisations, [0-9.]* s \.\.\.' "$tmp/lines"; } &&
     "$cli" check "$tmp/scene.obj" 2> "$tmp/err" > "$tmp/said" && [ ! -s "$tmp/err" ]
 }
-slow() { sed -n 's/^  cost .*KiB, \([0-9.]*\) s,.*/\1/p' "$tmp/lines" | awk '{ exit !($1 > 5) }'; }     # a quick machine tells nothing
+slow() { sed -n 's/^  cost .*KiB, \([0-9.]*\) s,.*/\1/p' "$tmp/lines" | awk '{ exit !($1 > 2) }'; }     # a quick machine tells nothing
 round_trip() {                                          # scene -> convert -> the same verdict and numbers
     gen arch && "$cli" convert "$tmp/scene.obj" > "$tmp/again.obj" &&
     "$cli" check --json - < "$tmp/scene.obj" | sed 's/"seconds":[^,}]*//g' > "$tmp/a" &&
