@@ -177,6 +177,19 @@ SP__NOINLINE static sp_status sp__run_reduced(const sp_problem *pb, const sp_set
     return status;
 }
 
+/* Certificate check of what a stage found, out of `left` flops. No joint resists a fall that gates find: scales that have not
+ * settled mostly prove it. If they do not, all are found and it is checked again, unless there is a budget. */
+static sp_status sp__stage_evidence(const sp_problem *pb, const sp_settings *set, sp_stage_id stage, int64_t left,
+                                    sp_verdict claim, sp_state *state, sp_arena *a, sp_result *r)
+{
+    if (stage == SP_STAGE_GATES && claim == SP_UNSTABLE) {
+        const sp_status status = sp__check_evidence(pb, set, 2, claim, state, a, r);
+        if (status || r->verdict == SP_UNSTABLE || set->budget > 0) return status;
+    }
+    const int32_t sweeps = sp__budget_sweeps(set, pb, left - state->cost.flops);
+    return sp__check_evidence(pb, set, sweeps, claim, state, a, r);
+}
+
 /* One stage and, if it claims anything or is the last, the judgement of what it found.     *done: the check is decided */
 SP__NOINLINE static sp_status sp__run_stage(const sp_problem *pb, const sp_settings *set, int32_t k, sp_state *state,
                                             sp_arena *a, sp_result *r, int *done)
@@ -198,10 +211,7 @@ SP__NOINLINE static sp_status sp__run_stage(const sp_problem *pb, const sp_setti
     r->extremes.tension_ratio = state->tension_ratio;
     if (claim != SP_STABLE && claim != SP_UNSTABLE) claim = SP_UNDECIDED;
     if (claim || last || (set->budget > 0 && set->stage[k] != SP_STAGE_GATES)) {
-        const int32_t sweeps = sp__budget_sweeps(set, pb, left - state->cost.flops);
-        const int loose = set->stage[k] == SP_STAGE_GATES && claim == SP_UNSTABLE;     /* no joint resists: rough scales do */
-        sp_status judged = sp__check_evidence(pb, set, loose ? 2 : sweeps, claim, state, a, r);
-        if (!judged && loose && r->verdict == SP_UNDECIDED) judged = sp__check_evidence(pb, set, sweeps, claim, state, a, r);
+        const sp_status judged = sp__stage_evidence(pb, set, set->stage[k], left, claim, state, a, r);
         if (judged) return judged;
         *done = r->verdict != SP_UNDECIDED;
         r->verified = *done;

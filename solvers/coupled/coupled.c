@@ -217,7 +217,7 @@ SP__NOINLINE static sp_status sp__coupled_run(const sp_problem *pb, const sp_set
     memset(c, 0, sizeof *c);
     sp__coupled_carve(c, pb, set, a);
     if (sp__failed(a)) return SP_E_MEMORY;
-    const int32_t sweeps = sp__has_paths(r->reason) ? sp__budget_sweeps(set, pb, state->left) : 2;
+    const int32_t sweeps = sp__has_paths(r->reason) ? sp__budget_sweeps(set, pb, state->left) : 2;  /* 2: no triple is judged */
     sp__certifier_begin(&c->j, pb, set, state->has_y0 ? state->y0 : NULL, sweeps);
     const size_t mark = a->used;
     sp__take(a, 1, sp__branch_need(pb, set));           /* for the decision, so that the peak depends on no method's success */
