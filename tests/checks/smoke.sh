@@ -114,9 +114,12 @@ stops_batch() {
     interrupted '}' "$cli" check --json $(awk -v f="$tmp/scene.obj" 'BEGIN { while (n++ < 5000) print f }') &&
     [ "$(tail -c 2 "$tmp/said")" = "}" ] && grep -qx "stonepack: stopped after $(wc -l < "$tmp/said") of 5000 scenes" "$tmp/err"
 }
-tells() {                                               # on a terminal alone
+no_half() {                                             # it was left out, untold
+    exits 64 "$cli" gen arch n=2.5 > "$tmp/out" 2> "$tmp/err" && [ ! -s "$tmp/out" ] && grep -q "not a whole number: 'n'" "$tmp/err"
+}
+tells() {                                               # on a terminal alone; the clock is looked at between 12 factorisations
     command -v script > /dev/null || return 0
-    gen wall rows=150 bricks=150 && script -qec "'$cli' check '$tmp/scene.obj'" /dev/null < /dev/null > "$tmp/said" &&
+    gen wall rows=120 bricks=120 tilt=20 && script -qec "'$cli' check '$tmp/scene.obj'" /dev/null < /dev/null > "$tmp/said" &&
     tr '\r' '\n' < "$tmp/said" > "$tmp/lines" && { ! slow || grep -q 'exact, [0-9]* factorisations, [0-9.]* s \.\.\.' "$tmp/lines"; } &&
     "$cli" check "$tmp/scene.obj" 2> "$tmp/err" > "$tmp/said" && [ ! -s "$tmp/err" ]
 }
@@ -475,6 +478,7 @@ part "a long check tells how far it is" tells
 part "help names the commands"      says check "$cli" --help
 part "no command is a usage error"  exits 64 "$cli"
 part "unknown command"              exits 64 "$cli" stand
+part "gen: half a stone is refused" no_half
 # An order file that is refused with this message.
 refuses() { "$cli" sequence --order-file "$tmp/order.txt" "$tmp/scene.obj" 2>&1 | grep -q "$1"; }
 

@@ -79,10 +79,13 @@ static int read_numbers(int argc, char **argv, gen_scene *g, failure *error)
         w.n = strlen(value);
         if (text_double(w, &x) != TEXT_NUMBER)
             return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: '%.60s' is not a number", argv[2], value);
-        set = gen_counts(name) && x - floor(x) > 0 ? -2 : gen_set(g, name, x);
+        if (gen_counts(name) && x - floor(x) > 0)
+            return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: not a whole number: '%.60s'; see stonepack gen", argv[2],
+                             name);
+        set = gen_set(g, name, x);
         if (set != 1)
             return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: %s '%.60s'; see stonepack gen", argv[2],
-                             set == -2 ? "not a whole number:" : set ? "outside its range:" : "no number called", name);
+                             set ? "outside its range:" : "no number called", name);
     }
     return 0;
 }
