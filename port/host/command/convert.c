@@ -80,8 +80,8 @@ static int read_numbers(int argc, char **argv, gen_scene *g, failure *error)
         if (text_double(w, &x) != TEXT_NUMBER)
             return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: '%.60s' is not a number", argv[2], value);
         if (gen_counts(name) && x - floor(x) > 0)
-            return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: not a whole number: '%.60s'; see stonepack gen", argv[2],
-                             name);
+            return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: not a whole number: '%.60s'; see stonepack gen",
+                             argv[2], name);
         set = gen_set(g, name, x);
         if (set != 1)
             return fail_with(error, EXIT_USAGE, NULL, 0, "stonepack: gen %s: %s '%.60s'; see stonepack gen", argv[2],
