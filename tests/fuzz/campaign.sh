@@ -40,7 +40,7 @@ piece() {                                               # piece HOW TARGET
     mkdir -p "$out/corpus/$2"
     case $1 in optimised) pi_mute=2 ;; *) pi_mute=0 ;; esac    # what refuses says so: gigabytes, optimised; its inputs tell
     pi_log=$out/campaign-$1-$2.log pi_from=$(date +%s) pi_status=0
-    "$out/$1-$2" -max_total_time="${CAMPAIGN_SECONDS:-300}" -runs="$pi_left" -timeout=120 -rss_limit_mb=3000 \
+    "$out/$1-$2" -max_total_time="${CAMPAIGN_SECONDS:-300}" -runs="$pi_left" -timeout=120 -entropic=0 -rss_limit_mb=3000 \
         -max_len=4000 -print_final_stats=1 -close_fd_mask=$pi_mute -artifact_prefix="$out/campaign-$2-" \
         "$out/corpus/$2" "$out/seeds/$2" "$out/kept/$2" > "$pi_log" 2>&1 || pi_status=$?
     pi_runs=$(awk '/stat::number_of_executed_units/ { n = $2 } /^#[0-9]+/ { m = substr($1, 2) } END { print n ? n : m + 0 }' "$pi_log")

@@ -66,20 +66,37 @@ planted() {
         [ "$(wc -c < $out/planted-found)" -le 60 ] && as_scene $out/planted-found
 }
 
-by_libfuzzer() {                                        # by_libfuzzer TARGET HOW WHAT
-    unpack "$1"
-    guided "$1" "$2"
-    mkdir -p "$out/corpus/$1"
+by_libfuzzer() {                                        # by_libfuzzer TARGET HOW: its end into TARGET-HOW.status
     by_status=0
-    "$out/$2-$1" -max_total_time="${seconds:-30}" -timeout=60 -rss_limit_mb=3000 -max_len=4000 -artifact_prefix="$out/$1-" \
-        -print_final_stats=1 "$out/corpus/$1" "$out/seeds/$1" "$out/kept/$1" > "$out/$1-$2.log" 2>&1 || by_status=$?
-    said "$1" "libFuzzer, $3" $by_status "$out/$1-$2.log"
+    "$out/$2-$1" -max_total_time="${seconds:-30}" -timeout=60 -entropic=0 -rss_limit_mb=3000 -max_len=4000 \
+        -artifact_prefix="$out/$1-" -print_final_stats=1 "$out/corpus/$1" "$out/seeds/$1" "$out/kept/$1" \
+        > "$out/$1-$2.log" 2>&1 || by_status=$?
+    echo $by_status > "$out/$1-$2.status"
+}
+side_by_side() {                                        # side_by_side TARGET-HOW...: as many at once as there are cores
+    si_n=0
+    rm -f $out/*.status
+    for si in "$@"; do
+        by_libfuzzer "${si%-*}" "${si#*-}" &
+        si_n=$((si_n + 1))
+        if [ $((si_n % $(nproc 2> /dev/null || echo 1))) -eq 0 ]; then wait; fi
+    done
+    wait
 }
 
 for t in $targets; do seeds "$t"; done
 if [ -z "$quick" ] && command -v clang > /dev/null; then
-    for t in $targets; do by_libfuzzer "$t" sanitized "ASan, UBSan"; done
-    for t in $targets; do ! alone "$t" || by_libfuzzer "$t" forgotten MSan; done
+    all=
+    for t in $targets; do all="$all $t-sanitized"; done
+    for t in $targets; do ! alone "$t" || all="$all $t-forgotten"; done
+    for t in $targets; do unpack "$t"; mkdir -p "$out/corpus/$t"; done
+    for a in $all; do guided "${a%-*}" "${a#*-}"; done
+    # shellcheck disable=SC2086
+    side_by_side $all
+    for a in $all; do
+        case $a in *-sanitized) how='ASan, UBSan' ;; *) how=MSan ;; esac
+        said "${a%-*}" "libFuzzer, $how" "$(cat "$out/$a.status")" "$out/$a.log"
+    done
 else
     san='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
     # shellcheck disable=SC2086
