@@ -13,7 +13,7 @@
 #     json    stored answers into `verify`                                        blob   requests and results of the worker
 #
 # Found inputs go to build/fuzz/, by the loop as small as they get and of `scene` as a scene file, too; run `build/fuzz/TARGET FILE`
-# again. FUZZ_SEED: of the loop, else the day.
+# again. FUZZ_SEED: else the day.
 set -eu
 . tests/fuzz/targets.sh
 quick=
@@ -68,7 +68,7 @@ planted() {
 
 by_libfuzzer() {                                        # by_libfuzzer TARGET HOW: its end into TARGET-HOW.status
     by_status=0
-    "$out/$2-$1" -max_total_time="${seconds:-30}" -timeout=60 -entropic=0 -rss_limit_mb=3000 -max_len=4000 \
+    "$out/$2-$1" -max_total_time="${seconds:-30}" -timeout=60 -entropic=0 -seed="$seed" -rss_limit_mb=3000 -max_len=4000 \
         -artifact_prefix="$out/$1-" -print_final_stats=1 "$out/corpus/$1" "$out/seeds/$1" "$out/kept/$1" \
         > "$out/$1-$2.log" 2>&1 || by_status=$?
     echo $by_status > "$out/$1-$2.status"
