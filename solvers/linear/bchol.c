@@ -159,10 +159,12 @@ static void sp__bchol_block(sp__low *a, sp__low floor)
     }
 }
 
-/* z <- z - s l, six numbers: written out because compilers at -O2 do not unroll it. */
+/* z <- z - s l, six numbers, all read before one is written: compilers at -O2 then take two at a time. */
 static inline void sp__subtract6(sp__low *z, const sp__low *l, sp__low s)
 {
-    z[0] -= l[0] * s; z[1] -= l[1] * s; z[2] -= l[2] * s; z[3] -= l[3] * s; z[4] -= l[4] * s; z[5] -= l[5] * s;
+    const sp__low l0 = l[0] * s, l1 = l[1] * s, l2 = l[2] * s, l3 = l[3] * s, l4 = l[4] * s, l5 = l[5] * s;
+    const sp__low z0 = z[0] - l0, z1 = z[1] - l1, z2 = z[2] - l2, z3 = z[3] - l3, z4 = z[4] - l4, z5 = z[5] - l5;
+    z[0] = z0; z[1] = z1; z[2] = z2; z[3] = z3; z[4] = z4; z[5] = z5;
 }
 
 #ifdef SP_REAL_MIXED

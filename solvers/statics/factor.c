@@ -97,17 +97,19 @@ static void sp__reduction_project(const sp__reduction *o, const sp_real *g, cons
 static void sp__reduction_right(const sp_real H[9], const sp_real T[7], sp_real out[9])
 {
     for (int r = 0; r < 3; r++) {
-        out[r] = T[0] * H[r] + T[1] * H[3 + r];
-        out[3 + r] = T[2] * H[r] + T[3] * H[3 + r];
-        out[6 + r] = T[4] * H[r] + T[5] * H[3 + r] + T[6] * H[6 + r];
+        const sp_real h0 = H[r], h1 = H[3 + r], h2 = H[6 + r];
+        out[r] = T[0] * h0 + T[1] * h1;
+        out[3 + r] = T[2] * h0 + T[3] * h1;
+        out[6 + r] = T[4] * h0 + T[5] * h1 + T[6] * h2;
     }
 }
 
-/* Row r of T' times a column x. */
-static sp_real sp__reduction_left(const sp_real T[7], int r, const sp_real x[3])
+/* y = T' x */
+static inline void sp__reduction_left(const sp_real T[7], const sp_real x[3], sp_real y[3])
 {
-    const sp_real sum = T[2 * r] * x[0] + T[2 * r + 1] * x[1];
-    return r == 2 ? sum + T[6] * x[2] : sum;
+    y[0] = T[0] * x[0] + T[1] * x[1];
+    y[1] = T[2] * x[0] + T[3] * x[1];
+    y[2] = T[4] * x[0] + T[5] * x[1] + T[6] * x[2];
 }
 
 /* Contact c's H into L: T' H T. */
@@ -115,19 +117,26 @@ SP__NOINLINE static void sp__reduction_add(sp__system *w, int32_t c, const sp_re
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real *T = sp__reduction_frame(w, t) + 6;
-    sp_real (*X)[9] = w->scratch->of.HT;
+    sp_real (*X)[9] = w->scratch->of.HT, y[3];
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;
         if (i < 0) continue;
         sp__reduction_right(H, T + 7 * side, X[side]);
         sp_real *d = sp__bchol_d(&w->L) + 6 * (size_t)w->L.inv[i];
-        for (int q = 0; q < 3; q++)
-            for (int r = 0; r <= q; r++) d[sp__column3[r] + q - r] += sp__reduction_left(T + 7 * side, r, X[side] + 3 * q);
+        sp__reduction_left(T + 7 * side, X[side], y);
+        d[0] += y[0];
+        sp__reduction_left(T + 7 * side, X[side] + 3, y);
+        d[1] += y[0]; d[3] += y[1];
+        sp__reduction_left(T + 7 * side, X[side] + 6, y);
+        d[2] += y[0]; d[4] += y[1]; d[5] += y[2];
     }
     if (w->slot[c] == INT32_MIN) return;
     const int turn = w->slot[c] < 0;
     sp_real *x = sp__bchol_x(&w->L) + 9 * (size_t)(turn ? -1 - w->slot[c] : w->slot[c]);
-    for (int k = 0; k < 9; k++) x[k] += sp__reduction_left(T + 7 * turn, k % 3, X[!turn] + k / 3 * 3);
+    for (int q = 0; q < 3; q++, x += 3) {
+        sp__reduction_left(T + 7 * turn, X[!turn] + 3 * q, y);
+        x[0] += y[0]; x[1] += y[1]; x[2] += y[2];
+    }
 }
 
 /* sp__system_assemble in 3 rows a block. */
