@@ -394,7 +394,6 @@ SP__NOINLINE static sp_real sp__certify_refutation(sp__certifier *j, const sp__l
     if (sp__problem_points(j->pb) > SP_EXACT_POINTS) return 0;
     sp__refute *w = sp__take(a, 1, sizeof *w);
     if (!w) return 0;
-    memset(w, 0, sizeof *w);
     sp__refute_carve(w, sp__problem_points(j->pb), j->pb->blocks, a);
     if (sp__failed(a)) return 0;
     w->j = j; w->k = k; w->proof = proof;

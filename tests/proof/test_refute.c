@@ -227,6 +227,41 @@ TEST(a_row_that_is_none_is_refused)
         for (int32_t state = 0; state < 8; state++) CHECK_INT(add(state, row, 1), state == 1);
 }
 
+/* Whether a state has a row is told by the sign of its multiplier, not by its size. */
+TEST(a_row_is_taken_by_the_sign_of_its_multiplier)
+{
+    static const int32_t faces[] = { 0, 5, 12 };
+    static const double size[] = { 1e-9, 0.5, 3, 1e9 };
+    for (int q = 0; q < 3; q++) {
+        const sp_arena mark = test_arena;
+        NEED(begin(faces[q], 1, 0));
+        const int32_t n = 6 * pb.blocks;
+        for (int k = 0; k < 4; k++) {
+            for (int32_t state = 0; state < 16; state++)
+                for (int32_t row = 0; row < SP__PROOF_ROWS && state != 3; row++)
+                    for (int sign = -1; sign < 2; sign += 2) {
+                        const int there = add(state, row, sign);
+                        CHECK_INT(sp__refute_add(w, n + 1 + row, R(sign * size[k])), there);
+                    }
+            CHECK_INT(sp__refute_add(w, n, R(size[k])), 1);
+            CHECK_INT(sp__refute_add(w, n, R(-size[k])), 0);
+        }
+        test_arena = mark;
+    }
+}
+
+/* The last row there is, ft2 of the last vertex. */
+TEST(the_last_row_is_one)
+{
+    NEED(begin(0, 1, 0));
+    const int32_t last = 6 * pb.blocks + 4 * SP__PROOF_ROWS;
+    for (int k = 0; k < 3; k++) w->f[3][k] = 0;
+    w->state[3] = 1;
+    CHECK_INT(sp__refute_add(w, last, 1), 1);
+    CHECK_NEAR(w->f[3][2], 1, 0);
+    CHECK_INT(sp__refute_add(w, last + 1, 1), 0);
+}
+
 /* Directions by half angles against those of trigonometry. */
 TEST(directions_of_sectors_are_those_of_the_circle)
 {
@@ -246,5 +281,7 @@ TEST_LIST(refute)
     RUN_FULL(every_row_holds_for_pyramids_of_9_to_64_faces)
     RUN_FULL(row_11_is_the_face_that_friction_meets)
     RUN_FULL(a_row_that_is_none_is_refused)
+    RUN_FULL(a_row_is_taken_by_the_sign_of_its_multiplier)
+    RUN_FULL(the_last_row_is_one)
     RUN_FULL(directions_of_sectors_are_those_of_the_circle)
 TEST_END
