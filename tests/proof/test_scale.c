@@ -232,6 +232,39 @@ TEST(weights_loads_and_arms_follow_from_blocks_and_corners)
             CHECK_NEAR(s->wm, 1 / sqrt(2.0 / 3 * sum), TOL(1e-12, 1e-5));
         }
         CHECK_NEAR(o.j.total, total, TOL(1e-12, 1e-5));
+        for (int32_t c = 0; c < 4; c++) {               /* a joint's force is bound by the block that carries less */
+            const double above = (double)o.j.scale[c].force_cap, below = c ? (double)o.j.scale[c - 1].force_cap : above;
+            CHECK_NEAR(sp__certifier_force_cap(&o.j, &o.pb.contact[c]), 100 * fmin(above, below), TOL(1e-12, 1e-5));
+        }
+        test_arena = mark;
+    }
+}
+
+/* What a corner sees of two blocks that move: v + w x (r - c) of each, that of the one on it with +. */
+TEST(corners_move_with_their_blocks)
+{
+    uint32_t draws = test_random() | 1;
+    for (int trial = 0; trial < 20; trial++) {
+        const sp_arena mark = test_arena;
+        one_block o;
+        sp_real dq[24];
+        NEED(chain(&o, &draws));
+        for (int k = 0; k < 24; k++) dq[k] = R(test_draw(&draws, -1, 1));
+        for (int32_t c = 0; c < 4; c++)
+            for (int32_t v = o.scene.joint[c].point; v < o.scene.joint[c].point + o.scene.joint[c].points; v++) {
+                double want[3] = { 0, 0, 0 };
+                sp_real u[3];
+                for (int32_t b = c; b < c + 2; b++) {
+                    double arm[3], spin[3], turned[3];
+                    if (b < 1) continue;
+                    arm_of(&o, b, v, arm);
+                    for (int k = 0; k < 3; k++) spin[k] = (double)dq[6 * (b - 1) + 3 + k];
+                    cross(spin, arm, turned);
+                    for (int k = 0; k < 3; k++) want[k] += (b > c ? 1 : -1) * ((double)dq[6 * (b - 1) + k] + turned[k]);
+                }
+                sp__vertex_velocity(&o.pb, NULL, &o.pb.contact[c], v, dq, u);
+                for (int k = 0; k < 3; k++) CHECK_WITHIN(u[k], want[k], TOL(1e-13, 1e-5));
+            }
         test_arena = mark;
     }
 }
@@ -313,20 +346,23 @@ TEST(without_sweeps_scales_are_those_of_the_loads)
  * all loads, or, where two sweeps left no time to find f0, by a thousand times all loads. */
 TEST(what_no_force_balances_is_measured_by_its_load)
 {
-    for (int few = 0; few < 2; few++) {
+    for (int k = 0; k < 4; k++) {
+        const int few = k % 2, aside = k / 2;
+        const double load = aside ? sqrt(2.0) : 1;      /* as much along x as its weight, or the weight alone */
         one_block o;
         NEED(place(&o, 4, 1, 0.5, 0, 0.5));
         o.scene.count.points = o.scene.joint[0].points = 1;     /* one corner of the four is left */
         NEED(CHECK_INT(sp_problem_build(&o.scene, &test_arena, &o.pb), SP_OK));
+        if (aside) o.pb.p[0] = o.pb.p[2];
         NEED(CHECK(sp__certifier_open(&o.j, &o.pb, &o.set, NULL, few ? 2 : INT32_MAX, &test_arena)));
         const sp__scale *s = &o.j.scale[0];
         const double arm = sqrt(0.75), slack = 16 * (double)SP_EPSILON * 2 * arm / (double)o.set.tol;
         CHECK_INT(s->known, 0);
-        CHECK_NEAR(s->s, 2, TOL(1e-12, 1e-6));
-        CHECK_NEAR(s->S, arm + slack, TOL(1e-12, 1e-5));
-        CHECK_NEAR(o.j.total, 1, TOL(1e-12, 1e-6));
-        if (few) CHECK_NEAR(s->force_cap, 1000, TOL(1e-12, 1e-6));
-        else CHECK(s->force_cap > 1 + 5000 * SP_EPSILON && s->force_cap < 2);
+        CHECK_NEAR(s->s, 2 * load, TOL(1e-12, 1e-6));
+        CHECK_NEAR(s->S, (arm + slack) * load, TOL(1e-12, 1e-5));
+        CHECK_NEAR(o.j.total, load, TOL(1e-12, 1e-6));
+        if (few) CHECK_NEAR(s->force_cap, 1000 * load, TOL(1e-12, 1e-6));
+        else CHECK((double)s->force_cap > load * (1 + 5000 * (double)SP_EPSILON) && (double)s->force_cap < 2 * load);
     }
 }
 
@@ -454,6 +490,7 @@ TEST_LIST(scale)
     RUN(motion_into_a_joint_proves_nothing)
     RUN(imbalance_is_relative_to_load_and_forces)
     RUN(weights_loads_and_arms_follow_from_blocks_and_corners)
+    RUN(corners_move_with_their_blocks)
     RUN(what_a_potential_leaves_unbalanced_is_summed_corner_by_corner)
     RUN(without_sweeps_scales_are_those_of_the_loads)
     RUN(what_no_force_balances_is_measured_by_its_load)
