@@ -1,10 +1,12 @@
-/* Rigid groups: the blocks a motion leaves together, the motion that ties them, its transpose, what makes it sharp, and what opens
- * the joints that rounding closed. */
+/* Rigid groups: the blocks a motion leaves together, the motion that ties them, its transpose, what makes it sharp, what opens
+ * the joints that rounding closed, and the proofs that are tried of it. */
 #define SP_API static
 #include "../test.h"
 #include "../../solvers/base/words.c"
+#include "../../solvers/scene/scene.c"
+#include "../../solvers/scene/block.c"
 #include "../scenes/gen.h"
-#include "../../solvers/statics/rigid.c"
+#include "../../solvers/statics/newton.c"
 
 #include <math.h>
 
@@ -196,10 +198,51 @@ TEST(joints_are_opened_along_their_normals)
     }
 }
 
+/* A block in a slot without friction falls. What opens its joint with one wall by 4 u closes the other by as much: caps of 1 / u
+ * times its weight do not let it, and it counts as it was; caps of 100 times do, and it counts as opened. */
+TEST(a_motion_that_must_not_be_opened_is_tried_as_it_is)
+{
+    const sp_capacity room = { 2, 0, 0, 0, 2, 8, 0 };
+    const sp_real wall[3] = { 0, 0, 0 }, n[2][3] = { { 1, 0, 0 }, { -1, 0, 0 } };
+    for (int k = 0; k < 4; k++) {
+        const sp_arena mark = test_arena;
+        const int stiff = k % 2, side = k / 2;          /* the wall that is opened: that of the first joint */
+        const sp_strength smooth = sp_strength_friction(0);
+        sp__newton search;
+        sp_state state;
+        tied t;
+        memset(&t, 0, sizeof t);
+        memset(&search, 0, sizeof search);
+        memset(&state, 0, sizeof state);
+        t.set.tol = R(TOL(1e-9, 1e-4f));
+        t.set.force_bound = stiff ? 1 / (sp_real)SP_EPSILON : 100;
+        NEED(sp_scene_create(&t.scene, &room, &test_arena) == SP_OK);
+        NEED(sp_scene_body(&t.scene, 0, wall, SP_FIXED, NULL) == SP_OK && sp_scene_body(&t.scene, 1, wall, 0, NULL) == SP_OK);
+        for (int q = 0; q < 2; q++) {
+            const sp_real *m = n[q ^ side], x[12] = { -m[0], -1, -1, -m[0], 1, -1, -m[0], 1, 1, -m[0], -1, 1 };
+            NEED(sp_scene_points(&t.scene, 0, 1, m, 4, x, &smooth, NULL) == SP_OK);
+        }
+        NEED(sp_problem_build(&t.scene, &test_arena, &t.pb) == SP_OK);
+        t.w = sp__system_make_full(&t.pb, &t.set, SP__EXACT, &t.cost, &test_arena);
+        state.dq = sp__take(&test_arena, 6, sizeof *state.dq);
+        NEED(t.w && state.dq);
+        sp__system_weights(t.w);
+        t.w->measure.size[0] = t.w->measure.size[1] = 2 * sp__abs(t.pb.p[2]);
+        for (int q = 0; q < 6; q++) { t.w->y[q] = q < 2; t.w->d[q] = q == 2; }      /* pressed to a wall, sliding; d = -dq */
+        sp__newton_try_rigid(t.w, &search, SP__PLAY, &state);
+        NEED(CHECK_INT(search.proved, 1));
+        CHECK(state.dq[2] < 0);
+        const double opened = stiff ? 0 : (side ? -4 : 4) * (double)SP_EPSILON * fabs((double)state.dq[2]);
+        CHECK_WITHIN(state.dq[0], opened, 1e-3 * fabs(opened));
+        test_arena.used = mark.used;
+    }
+}
+
 TEST_LIST(rigid)
     RUN_FULL(a_tied_motion_is_that_of_the_roots)
     RUN_FULL(restriction_is_the_transpose_of_prolongation)
     RUN_FULL(tied_motions_are_resisted_between_their_groups_alone)
     RUN_FULL(a_sharpened_motion_is_tied_and_resisted_least)
     RUN_FULL(joints_are_opened_along_their_normals)
+    RUN_FULL(a_motion_that_must_not_be_opened_is_tried_as_it_is)
 TEST_END
