@@ -14,17 +14,20 @@
 #ifndef SP_SMALL
 
 /* |ft| <= C + mu fn, -T <= fn <= N of a corner, in units; a cap on forces; faces of the pyramid, 0: the cone. */
-typedef struct limits { double mu, C, T, N, cap; int32_t faces; } limits;
+typedef struct limits { double mu, C, T, N, cap; int32_t faces, inscribed; } limits;
 
-/* A block on four corners that have these limits each; what was in the check before is not. */
+/* A block on four corners that have these limits each, in an inscribed pyramid by more friction and cohesion of the joint; what
+ * was in the check before is not. */
 static int strong(one_block *o, const limits *k)
 {
-    if (!place(o, 1, 1, 0.5, 0, k->mu)) return 0;
+    const double less = k->faces && k->inscribed ? cos(3.14159265358979323846 / k->faces) : 1;
+    if (!place(o, 1, 1, 0.5, 0, k->mu / less)) return 0;
     o->set.faces = k->faces;
+    o->set.inscribed = k->inscribed;
     memset(&o->j, 0x41, sizeof o->j);
     if (!judge(o, NULL)) return 0;
     const double share = (double)o->j.unit * 4 / (double)o->scene.joint[0].area;
-    o->scene.joint[0].strength.cohesion = R(k->C * share);
+    o->scene.joint[0].strength.cohesion = R(k->C / less * share);
     o->scene.joint[0].strength.tension = R(k->T * share);
     o->scene.joint[0].strength.crushing = R(k->N * share);
     return 1;
@@ -41,6 +44,7 @@ static limits some(int round)
     k.N = (double)test_random_real(3, 9);
     k.cap = round % 5 ? (double)test_random_real(0.5, 3) : 1000;
     k.faces = cones[round % 6];
+    k.inscribed = round / 6 % 2;
     return k;
 }
 
@@ -115,7 +119,7 @@ TEST(a_corner_with_strength_resists_by_its_rims_or_by_its_cap)
 /* What moves no corner is resisted by nothing, and not by its cap. */
 TEST(a_corner_that_does_not_move_has_no_cap)
 {
-    const limits k = { 0.5, 1, 1, 5, 10, 8 };
+    const limits k = { 0.5, 1, 1, 5, 10, 8, 0 };
     const sp_real rest[3] = { 0, 0, 0 };
     one_block o;
     int capped = 1;
@@ -158,7 +162,8 @@ TEST(a_force_is_cut_to_the_strength_of_its_corner)
 /* work - sum of what corners resist, over the scales; how much they resist is left in the check, for no motion nothing. */
 TEST(a_motion_is_worth_its_work_less_what_its_corners_resist)
 {
-    for (int round = 0; round < 60; round++) {
+    int proofs = 0;
+    for (int round = 0; round < 120; round++) {
         const sp_arena mark = test_arena;
         const limits k = some(round);
         const sp_real none[6] = { 0, 0, 0, 0, 0, 0 };
@@ -169,6 +174,7 @@ TEST(a_motion_is_worth_its_work_less_what_its_corners_resist)
         NEED(strong(&o, &k));
         if (round % 2) o.scene.joint[0].strength.cohesion = o.scene.joint[0].strength.tension = o.scene.joint[0].strength.crushing = 0;
         for (int q = 0; q < 6; q++) dq[q] = test_random_real(-1, 1);
+        if (round > 59) o.set.force_bound = R(0.01);    /* little is resisted: some motions are proofs */
         const sp_contact *t = o.pb.contact;
         const double arm = (double)o.j.scale[0].arm, cap = (double)sp__certifier_force_cap(&o.j, t);
         largest = (double)sp__norm3(dq) + (double)sp__norm3(dq + 3) * arm;
@@ -188,15 +194,98 @@ TEST(a_motion_is_worth_its_work_less_what_its_corners_resist)
         const double value = (double)sp__certify_motion(&o.j, dq, 0, &final);
         CHECK_INT(o.j.sweeps - before, 1);
         CHECK_WITHIN((double)o.j.resist, resist, TOL(1e-10, 1e-3) * (1 + fabs(resist)));
+        if (value > 0) CHECK_INT(final && k.faces && k.inscribed, 0);
+        proofs += value > 0 && resist > 0.01 * work;
+        sp_real size;
+        CHECK_NEAR(sp__certifier_work(&o.j, &size), work, TOL(1e-9, 1e-2));
+        CHECK_NEAR(size, scale, TOL(1e-10, 1e-3));
         CHECK_WITHIN(value, fmax(0, work - resist) / scale, TOL(1e-10, 1e-3) * (1 + fabs(resist) / scale));
         CHECK_NEAR(sp__certify_motion(&o.j, none, 0, &final), 0, 0);
         CHECK_NEAR(o.j.resist, 0, 0);
         CHECK_INT(final, 0);
         test_arena = mark;
     }
+    CHECK(proofs > 5);
 }
 
 #endif
+
+/* Forces are judged by what of them is admissible: max |r| / s, |m| / S, s of load and the lesser of sums of f and f0. What is
+ * held is balanced. One sweep. */
+TEST(forces_are_out_of_balance_by_what_is_admissible_of_them)
+{
+    int passed[2] = { 0, 0 };
+    uint32_t draws = test_random() | 1;
+    for (int trial = 0; trial < 40; trial++) {
+        const sp_arena mark = test_arena;
+        one_block o;
+        sp_real f[36], admitted[36];
+        double row[5][6] = { { 0 } }, sums[5][2] = { { 0 } }, worst = 0;
+        NEED(chain(&o, &draws));
+        o.scene.block[2].fixed = trial % 2 ? 5u : 0u;   /* along x and z */
+        NEED(CHECK_INT(sp_problem_build(&o.scene, &test_arena, &o.pb), SP_OK));
+        NEED(judge(&o, NULL));
+        const double size = pow(10, test_draw(&draws, -2, 2)) * (double)o.j.unit;
+        for (int32_t k = 0; k < 3 * o.scene.count.points; k++) f[k] = R(size * test_draw(&draws, -1, 1));
+        const int32_t before = o.j.sweeps;
+        const double got = (double)sp__certify_forces(&o.j, f, admitted);
+        CHECK_INT(o.j.sweeps - before, 1);
+        for (int32_t c = 0; c < 4; c++) {
+            const sp_contact *t = &o.pb.contact[c];
+            o.j.force_cap = sp__certifier_force_cap(&o.j, t);
+            for (int32_t v = t->point; v < t->point + t->points; v++) {
+                sp_real g[3], world[3];
+                for (int k = 0; k < 3; k++) g[k] = f[3 * v + k] / o.j.unit;
+                sp__certifier_make_admissible(&o.j, t, g, g);
+                for (int k = 0; k < 3; k++) CHECK_NEAR(admitted[3 * v + k], g[k] * o.j.unit, TOL(1e-12, 1e-5));
+                sp__joint_force(t->joint, g, world);
+                const double F[3] = { (double)world[0], (double)world[1], (double)world[2] };
+                for (int32_t b = c; b < c + 2; b++) {
+                    double arm[3], m[3];
+                    if (b < 1) continue;
+                    arm_of(&o, b, v, arm);
+                    cross(arm, F, m);
+                    for (int k = 0; k < 3; k++) {
+                        row[b][k] += (b > c ? 1 : -1) * F[k];
+                        row[b][3 + k] += (b > c ? 1 : -1) * m[k];
+                    }
+                    sums[b][0] += length(F);
+                    sums[b][1] += length(m);
+                }
+            }
+        }
+        for (int32_t b = 1; b < 5; b++) {
+            const sp__scale *s = &o.j.scale[b - 1];
+            for (int k = 0; k < 6; k++) row[b][k] += (double)(o.pb.p[6 * (b - 1) + k] / o.j.unit);
+            if (trial % 2 && b == 2) row[b][0] = row[b][2] = 0;
+            const double si = (double)s->load + fmin(sums[b][0], (double)s->sum_f0);
+            const double Si = (double)s->couple + fmin(sums[b][1], (double)s->sum_m0)
+                              + 16 * (double)SP_EPSILON * (double)(s->s * s->arm / o.set.tol);
+            worst = fmax(worst, fmax(length(row[b]) / si, length(row[b] + 3) / Si));
+            passed[0] += sums[b][0] < (double)s->sum_f0;
+            passed[1] += sums[b][1] < (double)s->sum_m0;
+        }
+        CHECK_NEAR(got, worst, TOL(1e-10, 1e-3));
+        CHECK_NEAR(sp__certify_forces(&o.j, f, NULL), got, 0);
+        test_arena = mark;
+    }
+    for (int k = 0; k < 2; k++) CHECK(passed[k] > 10 && passed[k] < 150);
+}
+
+/* Where nothing is loaded caps are none, and no force is that force. */
+TEST(where_caps_are_none_no_force_is_admitted)
+{
+    one_block o;
+    sp_real out[3] = { 7, 7, 7 };
+    const sp_real none[3] = { 0, 0, 0 }, some[3] = { 1, 0, 0 };
+    NEED(place(&o, 1, 1, 0.5, 0, 0.5));
+    NEED(judge(&o, NULL));
+    o.j.force_cap = 0;
+    for (int k = 0; k < 2; k++) {
+        sp__certifier_make_admissible(&o.j, o.pb.contact, k ? some : none, out);
+        CHECK_NEAR(sp__norm3(out), 0, 0);
+    }
+}
 
 /* Three blocks in a row along x, one corner between neighbours, in frictionless planes across; loads as the test says. */
 static int row(one_block *o, double mu)
@@ -268,6 +357,36 @@ TEST(as_many_blocks_are_held_as_move_no_more_than_rest)
     CHECK_NEAR(o.j.dual.motion[1], 1, 0);
     CHECK_NEAR(o.j.dual.motion[7], 0.5, 0);
     CHECK_NEAR(o.j.dual.motion[13], 0, 0);
+}
+
+/* What a block is held in does not count as moved. */
+TEST(held_directions_of_a_motion_are_left_out)
+{
+    one_block o;
+    sp_real dq[18];
+    NEED(row(&o, 0));
+    o.scene.block[2].fixed = 2u;                        /* along y */
+    memset(dq, 0, sizeof dq);
+    dq[6] = 1; dq[7] = 100; dq[12] = 2;
+    CHECK_INT(sp__certifier_hold_small(&o.j, dq, 0), 1);
+    CHECK_NEAR(o.j.dual.motion[6], 0.5, 0);
+    CHECK_NEAR(o.j.dual.motion[7], 0, 0);
+}
+
+/* A support does not move; a block moves a joint by its longest arm, or, where nothing touches it, half its size, or 1. */
+TEST(a_block_displaces_a_joint_by_its_longest_arm)
+{
+    static const double size[] = { 0, 0.5, 8 };
+    one_block o;
+    NEED(row(&o, 0));
+    for (int k = 0; k < 18; k++) o.j.dual.motion[k] = R(k == 6 ? 3 : k == 9 ? 2 : 0);
+    CHECK_NEAR(sp__certifier_displacement(&o.j, -1), 0, 0);
+    for (int k = 0; k < 6; k++) {
+        o.scene.block[2].diameter = R(size[k % 3]);
+        o.j.scale[1].arm = R(k < 3 ? 0 : 0.25);
+        const double arm = k > 2 ? 0.25 : k ? size[k] / 2 : 1;
+        CHECK_NEAR(sp__certifier_displacement(&o.j, 1), 3 + 2 * arm, TOL(1e-14, 1e-6));
+    }
 }
 
 /* The first block moves by 1 along y, under one unit of load there; nothing else moves or is loaded. */
@@ -352,22 +471,45 @@ TEST(a_resisted_motion_among_blocks_at_rest_is_no_proof)
     CHECK_INT(o.j.sweeps, 1);
 }
 
-/* No point moves farther than the longest arm, here a half; without arms 1. */
+/* A block that slides under no load: no contact resists, but it proves nothing. */
+TEST(a_motion_without_work_is_not_final)
+{
+    one_block o;
+    sp_real dq[18];
+    int32_t final;
+    NEED(row(&o, 0));
+    first_moves(&o, dq);
+    o.pb.p[1] = 0;
+    sp__certify_motion(&o.j, dq, 0, &final);
+    CHECK_INT(final, 1);
+    CHECK_NEAR(sp__certify_mechanism(&o.j, dq, 0, &final), 0, 0);
+    CHECK_INT(final, 0);
+}
+
+/* No point moves farther than the longest arm, here a half; without arms half the largest block, or 1. With some
+ * the largest block without does not count. */
 TEST(a_motion_is_written_at_the_size_of_its_blocks)
 {
-    for (int what = 0; what < 3; what++) {
+    for (int round = 0; round < 16; round++) {
+        const int what = round % 4;                     /* a motion; without arms; none; the last block wide without an arm */
+        const double of = round / 4 % 2 ? 1e-3 : 1, wide = what == 3 ? 3 : round / 8 ? 0.2 : 0;
         const sp_arena mark = test_arena;
         one_block o;
         sp_real all[24], back[18];
         NEED(row(&o, 0));
         for (int k = 0; k < 24; k++) all[k] = 7;
-        for (int i = 0; i < 3; i++) o.j.scale[i].arm = R(what == 1 ? 0 : i == 1 ? 0.5 : 0.25);
+        for (int i = 0; i < 3; i++) o.j.scale[i].arm = R(what == 1 || (what == 3 && i == 2) ? 0 : i == 1 ? 0.5 : 0.25);
         memset(o.j.dual.motion, 0, 18 * sizeof *o.j.dual.motion);
-        if (what < 2) { o.j.dual.motion[1] = 2; o.j.dual.motion[9] = 1; o.j.dual.motion[17] = 4; }
+        for (int b = 1; b < 4; b++) o.scene.block[b].diameter = R(what || b < 3 ? 2 * wide : 0);
+        if (what != 2) {
+            o.j.dual.motion[0] = o.j.dual.motion[1] = R(of * sqrt(2.0));
+            o.j.dual.motion[9] = R(of);
+            o.j.dual.motion[17] = R(4 * of);
+        }
         sp__motion_write(&o.j, all);
-        const double largest = what == 1 ? 4 : 2, size = what == 1 ? 1 : 0.5;
+        const double arm = wide > 0 ? wide : 1, largest = what % 2 ? fmax(2, 4 * arm) : 2, size = what == 1 ? arm : 0.5;
         for (int k = 0; k < 6; k++) CHECK_NEAR(all[k], 7, 0);
-        CHECK_NEAR(all[7], what == 2 ? 0 : 2 * size / largest, TOL(1e-15, 1e-6));
+        for (int k = 6; k < 8; k++) CHECK_NEAR(all[k], what == 2 ? 0 : sqrt(2.0) * size / largest, TOL(1e-15, 1e-6));
         CHECK_NEAR(all[15], what == 2 ? 0 : size / largest, TOL(1e-15, 1e-6));
         CHECK_NEAR(all[23], what == 2 ? 0 : 4 * size / largest, TOL(1e-15, 1e-6));
         sp__motion_read(&o.pb, all, back);
@@ -383,11 +525,16 @@ TEST_LIST(forces)
     RUN(a_force_is_cut_to_the_strength_of_its_corner)
     RUN(a_motion_is_worth_its_work_less_what_its_corners_resist)
 #endif
+    RUN(forces_are_out_of_balance_by_what_is_admissible_of_them)
+    RUN(where_caps_are_none_no_force_is_admitted)
     RUN(a_motion_proves_more_than_tol_or_if_final_more_than_rounding)
     RUN(a_corner_resists_from_what_rounding_of_both_motions_may_be)
     RUN(as_many_blocks_are_held_as_move_no_more_than_rest)
+    RUN(held_directions_of_a_motion_are_left_out)
+    RUN(a_block_displaces_a_joint_by_its_longest_arm)
     RUN(of_motions_with_smaller_ones_held_the_best_is_taken)
     RUN(a_proof_holds_no_block_but_for_a_better_one)
     RUN(a_resisted_motion_among_blocks_at_rest_is_no_proof)
+    RUN(a_motion_without_work_is_not_final)
     RUN(a_motion_is_written_at_the_size_of_its_blocks)
 TEST_END

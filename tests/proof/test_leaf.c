@@ -829,8 +829,8 @@ static sp_real weight_is_not_carried(void)
     return sp__certify_refutation(&o.j, &length, &proof, &a);
 }
 
-/* A joint that only presses down cannot hold a block: least c f = 0, sum y b = -W; less what balance may be out by, tol sbar, and
- * what forces up to their caps may round. No proof is walked of more corners than SP_EXACT_POINTS. */
+/* A joint that only presses down cannot hold a block: least c f = 0, sum y b = -W; less what balance may be out by, tol sbar,
+ * and what forces up to their caps may round. No proof is walked of more corners than SP_EXACT_POINTS. */
 TEST(a_block_under_a_ceiling_is_refuted_by_its_weight)
 {
     static const int32_t points[] = { 3, 4, 17, SP_EXACT_POINTS, SP_EXACT_POINTS + 1 };

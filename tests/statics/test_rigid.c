@@ -198,8 +198,8 @@ TEST(joints_are_opened_along_their_normals)
     }
 }
 
-/* A block in a slot without friction falls. What opens its joint with one wall by 4 u closes the other by as much: caps of 1 / u
- * times its weight do not let it, and it counts as it was; caps of 100 times do, and it counts as opened. */
+/* A block in a slot without friction falls. What opens its joint with one wall by 4 u closes the other by as much: caps of
+ * 1 / u of its weight do not let it, and it counts as it was; caps of 100 times do, and it counts as opened. */
 TEST(a_motion_that_must_not_be_opened_is_tried_as_it_is)
 {
     const sp_capacity room = { 2, 0, 0, 0, 2, 8, 0 };
