@@ -1338,7 +1338,8 @@ static inline const char *sp_nbo_text(sp_nbo reason) { return sp_text(SP_WORDS_N
  *                 10..12 ft along -a, -m, -b (pyramids of more than 8 faces: on the three nearest there);
  *                 13..20 ft around (pyramids of up to 8 faces: on those; else every 45 degrees);  21..23 fn, ft1, ft2
  *
- * in units: forces in the largest component of a load, dq and dd in L. Their sum is an inequality that no f and dq meet. */
+ * in units: forces in the largest component of a load, dq and dd in L. Their sum is an inequality that no f and dq meet; a
+ * multiplier of 0 adds nothing to it, of whatever row. */
 
 /* ---------------------------------------------------------------------------------------------------- for experts: matrices */
 

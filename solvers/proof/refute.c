@@ -263,6 +263,7 @@ static int sp__refute_add(sp__refute *w, int32_t row, sp_real y)
 {
     const int32_t n = 6 * w->j->pb->blocks;
     if (row < 0 || row > n + SP__PROOF_ROWS * w->points || !sp__finite(y)) return 0;
+    if (!(sp__abs(y) > 0)) return 1;
     if (row < n) {                                      /* Aeq f = -p */
         sp_real p[6];
         if (sp__held(w->j->pb, row / 6, row % 6)) return 0;

@@ -166,6 +166,7 @@ static int sp__still_add(sp__still *w, int32_t row, sp_real y)
     const sp__certifier *j = w->j;
     const int32_t n = 6 * j->pb->blocks;
     if (row < 0 || row > n + SP__STILL_ROWS * w->points || !sp__finite(y)) return 0;
+    if (!(sp__abs(y) > 0)) return 1;
     if (row < n) {                                      /* M a - Aeq f = p */
         if (sp__held(j->pb, row / 6, row % 6)) return 0;
         const sp_real p = sp__in_units(j->unit, j->pb->p[row]);

@@ -250,6 +250,26 @@ TEST(a_row_is_taken_by_the_sign_of_its_multiplier)
     }
 }
 
+/* Whatever the row is, in whatever state. */
+TEST(a_multiplier_of_0_adds_nothing)
+{
+    NEED(begin(12, 1, 1));
+    const int32_t n = 6 * pb.blocks;
+    add(0, 0, 1);
+    const double f = (double)w->f[0][0], d = (double)w->d[0][0], right = (double)w->right, size = (double)w->size;
+    for (int32_t state = 0; state < 16; state++)
+        for (int32_t row = 0; row <= n + 4 * SP__PROOF_ROWS; row++) {
+            w->state[0] = state;
+            for (int32_t v = 1; v < 4; v++) w->state[v] = 0;
+            if (!CHECK_INT(sp__refute_add(w, row, 0), 1)) TEST_PRINT("    state %d, row %d\n", (int)state, (int)row);
+        }
+    CHECK_INT(sp__refute_add(w, n + 4 * SP__PROOF_ROWS + 1, 0), 0);
+    CHECK_NEAR(w->f[0][0], f, 0);
+    CHECK_NEAR(w->d[0][0], d, 0);
+    CHECK_NEAR(w->right, right, 0);
+    CHECK_NEAR(w->size, size, 0);
+}
+
 /* The last row there is, ft2 of the last vertex. */
 TEST(the_last_row_is_one)
 {
@@ -282,6 +302,7 @@ TEST_LIST(refute)
     RUN_FULL(row_11_is_the_face_that_friction_meets)
     RUN_FULL(a_row_that_is_none_is_refused)
     RUN_FULL(a_row_is_taken_by_the_sign_of_its_multiplier)
+    RUN_FULL(a_multiplier_of_0_adds_nothing)
     RUN_FULL(the_last_row_is_one)
     RUN_FULL(directions_of_sectors_are_those_of_the_circle)
 TEST_END

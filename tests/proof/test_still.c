@@ -209,6 +209,21 @@ TEST(a_multiplier_has_the_sign_that_its_state_asks)
     }
 }
 
+/* Whatever the row is, in whatever state. */
+TEST(a_multiplier_of_0_adds_nothing_to_a_still_proof)
+{
+    NEED(begin());
+    clear();
+    for (int32_t state = 0; state < 16; state++)
+        for (int32_t row = 0; row <= LEAF_N + SP__STILL_ROWS * LEAF_POINTS; row++) {
+            for (int v = 0; v < LEAF_POINTS; v++) w->state[v] = state;
+            if (!CHECK_INT(sp__still_add(w, row, 0), 1)) TEST_PRINT("    state %d, row %d\n", (int)state, (int)row);
+        }
+    CHECK_INT(sp__still_add(w, LEAF_N + SP__STILL_ROWS * LEAF_POINTS + 1, 0), 0);
+    for (int v = 0; v < LEAF_POINTS; v++) CHECK_NEAR(w->size[v], 0, 0);
+    CHECK_NEAR(w->rounding, 0, 0);
+}
+
 /* Pairs of loads balanced but for a rest of `ulps` u of what was added up. */
 static sp_real nearly(int32_t from, int32_t pairs, double ulps)
 {
@@ -541,6 +556,7 @@ TEST_LIST(still)
     RUN(a_leaf_that_nothing_moves_is_what_its_definition_says)
     RUN(a_row_adds_its_terms_and_their_size)
     RUN(a_multiplier_has_the_sign_that_its_state_asks)
+    RUN(a_multiplier_of_0_adds_nothing_to_a_still_proof)
     RUN(a_margin_within_its_own_rounding_is_none)
     RUN(a_still_proof_stands_on_masses_that_are_known)
     RUN(every_row_of_a_corner_holds_in_its_state)
