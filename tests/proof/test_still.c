@@ -257,6 +257,20 @@ TEST(a_margin_within_its_own_rounding_is_none)
     }
 }
 
+/* Loads of 1 and multipliers a few u from 1 add up without rounding: what is left is `ulps` u less 32 and one a row. */
+TEST(a_margin_is_less_by_32_roundings_and_one_for_each_row)
+{
+    NEED(begin());
+    o.set.force_bound = 0;
+    memset(w->reach, 0, LEAF_N * sizeof *w->reach);
+    o.pb.p[0] = o.pb.p[7] = o.j.unit;
+    o.p[0] = o.p[7] = 1;
+    for (int32_t pairs = 1; pairs < 9; pairs *= 2) {
+        const double ulps = 2 * (32 + 2 * pairs);
+        CHECK_NEAR(nearly(0, pairs, ulps), ulps / 2 * (double)SP_EPSILON, 1e-3);
+    }
+}
+
 /* A proof that holds in a box of nothing alone, where loads are too small to move anything: it holds where masses make it so; with
  * masses as they are, and where an inertia is unknown, it does not, whatever is left in memory. */
 TEST(a_still_proof_stands_on_masses_that_are_known)
@@ -558,6 +572,7 @@ TEST_LIST(still)
     RUN(a_multiplier_has_the_sign_that_its_state_asks)
     RUN(a_multiplier_of_0_adds_nothing_to_a_still_proof)
     RUN(a_margin_within_its_own_rounding_is_none)
+    RUN(a_margin_is_less_by_32_roundings_and_one_for_each_row)
     RUN(a_still_proof_stands_on_masses_that_are_known)
     RUN(every_row_of_a_corner_holds_in_its_state)
     RUN(rows_of_a_sector_are_at_its_ends_and_its_middle)
