@@ -635,6 +635,21 @@ TEST(even_friction_takes_the_memory_it_says_and_one_sweep)
     CHECK(!(sp__certify_shear(&j, M, f, NULL, &room) > 0));     /* what is not asked proves nothing */
 }
 
+/* Where the inertia of a block is unknown nothing is asked: no proof, and no sweep. */
+TEST(even_friction_of_a_block_of_unknown_inertia_is_not_asked)
+{
+    sp_real f[3 * CORNERS * BLOCKS];
+    NEED(begin(TREE));
+    for (int v = 0; v < CORNERS * BLOCKS; v++) { f[3 * v] = 1; f[3 * v + 1] = f[3 * v + 2] = 0; }
+    for (int unknown = 0; unknown < 2; unknown++) {
+        const int32_t before = j.sweeps;
+        M[BLOCKS - 1].known = !unknown;
+        const sp_real margin = sp__certify_shear(&j, M, f, NULL, &test_arena);
+        CHECK(!unknown || !(margin > 0));
+        CHECK_INT(j.sweeps - before, !unknown);
+    }
+}
+
 /* A block of mass 1 whose two joints press by 1 a corner and lean by g, loads out of balance by `left`: 1 less the work that may do
  * in sqrt(delta) / 100; nothing where it may do more, or where the power is none. */
 TEST(the_margin_is_one_less_the_share_that_is_left)
@@ -708,6 +723,7 @@ TEST_LIST(shear)
     RUN(what_live_loads_do_is_alike_to_tol_of_the_sizes_added_up)
     RUN(even_forces_are_pressure_times_normal_and_slope)
     RUN(even_friction_takes_the_memory_it_says_and_one_sweep)
+    RUN(even_friction_of_a_block_of_unknown_inertia_is_not_asked)
     RUN(the_margin_is_one_less_the_share_that_is_left)
 #endif
 TEST_END
