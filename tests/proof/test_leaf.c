@@ -703,6 +703,18 @@ TEST(a_leaf_is_the_same_wherever_its_rows_stand)
     CHECK_WITHIN(sp__refute_leaf(w, ROOM - 1, ROOM), first, 0);
 }
 
+/* Nodes end where they say, with cases that are not closed: what lies behind is no node. Sanitizers see it. */
+TEST(a_proof_that_is_cut_off_is_not_read_on)
+{
+    static const int32_t cut[2] = { 0, -1 };
+    static const uint16_t row[2] = { 0, 0 };
+    NEED(begin(0, 1));
+    easy();
+    const sp_real s = o.p[0] > 0 ? 1 : -1, y[2] = { s, s };
+    CHECK(!(walk(2, cut, 2, row, y) > 0));
+    CHECK(!(walk(1, cut, 2, row, y) > 0));
+}
+
 /* All corners are unknown to the first leaf, whatever was walked before: that a corner is open is no row of it. */
 TEST(a_walk_begins_where_nothing_is_known)
 {
@@ -882,6 +894,7 @@ TEST_LIST(leaf)
     RUN_FULL(every_case_of_a_tree_is_closed_once_and_in_order)
     RUN_FULL(each_case_has_the_states_of_its_splits)
     RUN_FULL(a_leaf_is_the_same_wherever_its_rows_stand)
+    RUN_FULL(a_proof_that_is_cut_off_is_not_read_on)
     RUN_FULL(a_walk_begins_where_nothing_is_known)
     RUN_FULL(a_tree_holds_as_well_as_its_worst_leaf)
     RUN_FULL(a_tree_may_be_deep_but_not_without_end)

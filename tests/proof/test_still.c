@@ -425,6 +425,19 @@ TEST(every_case_of_a_still_proof_is_closed_once_and_in_order)
     CHECK(!(walk(3, tree[1].node, 2, row, y) > 0));
 }
 
+/* Nodes end where they say, with cases that are not closed: what lies behind is no node. Sanitizers see it. */
+TEST(a_still_proof_that_is_cut_off_is_not_read_on)
+{
+    static const int32_t cut[2] = { 0, -1 };
+    static const uint16_t row[2] = { 0, 0 };
+    NEED(begin());
+    o.set.force_bound = 0;
+    memset(w->reach, 0, LEAF_N * sizeof *w->reach);
+    const sp_real s = o.p[0] > 0 ? -1 : 1, y[2] = { s, s };
+    CHECK(!(walk(2, cut, 2, row, y) > 0));
+    CHECK(!(walk(1, cut, 2, row, y) > 0));
+}
+
 /* A case has the states of its splits: friction is full where it slips, and only there. */
 TEST(each_case_of_a_still_proof_has_its_own_rows)
 {
@@ -579,6 +592,7 @@ TEST_LIST(still)
     RUN(rows_without_a_direction_are_one_number)
     RUN(the_box_of_accelerations_is_that_of_all_loads)
     RUN(every_case_of_a_still_proof_is_closed_once_and_in_order)
+    RUN(a_still_proof_that_is_cut_off_is_not_read_on)
     RUN(each_case_of_a_still_proof_has_its_own_rows)
     RUN(what_is_no_still_proof_is_none)
     RUN(a_still_proof_may_be_deep_but_not_without_end)
