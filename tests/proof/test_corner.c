@@ -181,7 +181,7 @@ TEST(what_nothing_touches_is_scaled_by_its_load)
     const sp_strength rough = sp_strength_friction(R(0.5));
     memset(&o, 0, sizeof o);
     NEED(sp_scene_create(&o.scene, &cap, &test_arena) == SP_OK);
-    for (int b = 0; b < 3; b++) NEED(sp_scene_body(&o.scene, b * b, at[b], b ? 0 : SP_FIXED, NULL) == SP_OK);
+    for (int b = 0; b < 3; b++) NEED(sp_scene_body(&o.scene, R(b * b), at[b], b ? 0 : SP_FIXED, NULL) == SP_OK);
     NEED(sp_scene_joint(&o.scene, 0, 1, 4, corner, &rough, NULL) == SP_OK);
     o.set.tol = R(0.01);
     o.set.force_bound = 100;
@@ -501,10 +501,32 @@ TEST(each_condition_of_a_triple_is_just_met_and_just_exceeded)
             const sp_real little[3] = { 1, R(0.0999), 0 }, more[3] = { 1, 0, R(0.1001) };
             CHECK_WITHIN(WORST(little, 0, 0, -1, 0, 0), 0, 0);
             CHECK(WORST(more, 0, 0, -1, 0, 0) > 1);
+            CHECK_WITHIN(sp__coupled_vertex(&k, box, none, 0, none, 0, 0), 0, 0);   /* none, where any is asked */
             CHECK(WORST(rub, 1, 0, NAN, 0, 0) > 1);
         }
 #undef WORST
     }
+}
+
+/* At rest, without play: friction needs slip from tol sbar on, that of the block which carries less. */
+TEST(friction_at_rest_is_up_to_tol_of_the_lesser_block)
+{
+    NEED(leaf_make(&o, 0, 0));
+    const sp__lengths k = { 1, 0, 1 };
+    sp_real rest[LEAF_N], none[LEAF_POINTS];
+    double s[LEAF_BLOCKS];
+    memset(rest, 0, sizeof rest);
+    memset(none, 0, sizeof none);
+    for (int i = 0; i < LEAF_BLOCKS; i++) s[i] = (double)o.j.scale[i].s;
+    for (int v = 0; v < LEAF_POINTS; v++)
+        for (int more = 0; more < 2; more++) {
+            sp_real f[3 * LEAF_POINTS];
+            memset(f, 0, sizeof f);
+            const double ft = (more ? 1.01 : 0.99) * 0.01 * leaf_lesser(&o, v, s);
+            f[3 * v] = R(2 * ft / leaf_mu(&o, v)) * o.j.unit;
+            f[3 * v + 1] = R(ft) * o.j.unit;
+            CHECK_INT(sp__certify_coupled(&o.j, &k, f, rest, none) > 1, more);
+        }
 }
 
 /* A whole triple is as bad as its worst corner: here one corner at a time is out. */
@@ -747,6 +769,7 @@ TEST_LIST(corner)
     RUN_FULL(what_moves_less_than_its_share_is_held)
     RUN_FULL(ranks_of_a_proof_are_just_met_and_just_exceeded)
     RUN_FULL(each_condition_of_a_triple_is_just_met_and_just_exceeded)
+    RUN_FULL(friction_at_rest_is_up_to_tol_of_the_lesser_block)
     RUN_FULL(a_triple_is_as_bad_as_its_worst_corner)
     RUN_FULL(lengths_follow_the_edges_or_the_arms)
 #if SP__WITH_STRONG
