@@ -364,24 +364,27 @@ SP__NOINLINE static sp_real sp__refute_walk(sp__refute *w)
     sp_real least = SP__HUGE;
     for (int32_t v = 0; v < w->points; v++) w->state[v] = 0;
     for (int32_t k = 0; k < p->nodes; k++) {
-        if (p->node[k] >= 0) {                          /* a vertex splits: 0 into 1, 2; 2 into 4..7; s into 2s, 2s + 1 */
-            const int32_t v = p->node[k], state = v < w->points ? w->state[v] : 1;
+        const int32_t v = p->node[k];                   /* a vertex that splits; below 0: a leaf of -v multipliers */
+        if (v >= 0) {                                   /* 0 into 1, 2; 2 into 4..7; s into 2s, 2s + 1 */
+            if (v >= w->points) return 0;
+            const int32_t state = w->state[v];
             if (state == 1 || state >= SP__PROOF_DEEP) return 0;
             w->stack[2 * depth] = v;
             w->stack[2 * depth++ + 1] = state;
             w->state[v] = state ? 2 * state : 1;
             continue;
         }
-        if (p->node[k] < -p->entries || entry > p->entries + p->node[k]) return 0;
-        const sp_real margin = sp__refute_leaf(w, entry, entry - p->node[k]);
+        const int64_t to = (int64_t)entry - v;
+        if (to > p->entries) return 0;
+        const sp_real margin = sp__refute_leaf(w, entry, (int32_t)to);
         if (margin < least) least = margin;
         if (!(least > 0)) return 0;
-        entry -= p->node[k];
+        entry = (int32_t)to;
         for (; depth; depth--) {                        /* on to the next part of what was split last */
-            const int32_t v = w->stack[2 * depth - 2], state = w->stack[2 * depth - 1];
-            const int32_t last = state == 0 ? 2 : state == 2 ? 7 : 2 * state + 1;
-            if (w->state[v] < last) { w->state[v]++; break; }
-            w->state[v] = state;
+            const int32_t u = w->stack[2 * depth - 2], state = w->stack[2 * depth - 1];
+            const int32_t next = w->state[u] + 1, last = state == 0 ? 2 : state == 2 ? 7 : 2 * state + 1;
+            if (next <= last) { w->state[u] = next; break; }
+            w->state[u] = state;
         }
         if (!depth) return k + 1 == p->nodes ? least : 0;
     }
