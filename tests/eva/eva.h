@@ -6,7 +6,13 @@
 #include "../../solvers/base/real.c"
 #include "__fc_builtin.h"
 
-static sp_real any(void) { sp_real x = Frama_C_double_interval(-1e308, 1e308); return x * 1e300; }      /* also infinite, or no number */
+/* Also infinite, or no number: a difference of infinities. */
+static sp_real any(void)
+{
+    const sp_real x = Frama_C_double_interval(-1e308, 1e308), y = Frama_C_double_interval(-1e308, 1e308);
+    return x * 1e300 - y * 1e300;
+}
+
 static int32_t any_whole(int32_t low, int32_t high) { return Frama_C_interval(low, high); }
 static void any_numbers(sp_real *x, int n) { for (int k = 0; k < n; k++) x[k] = any(); }
 

@@ -1,6 +1,7 @@
 /* Frama-C Eva: the certificate check with any numbers at all, NaN and infinities among them, of a scene whose structure is
  * given: two free blocks, one joint between them of two points, one to the ground of two, one block held in some directions.
- * A proof is any nodes, rows and multipliers. Asked is memory: indices, what is uninitialised, overflow of whole numbers. */
+ * A proof is any nodes, rows and multipliers, at most NODES and ENTRIES. Asked is memory: indices, what is uninitialised,
+ * overflow of whole numbers. */
 #include "eva.h"
 #include "../../solvers/base/words.c"
 #include "../../solvers/proof/refute.c"
@@ -8,7 +9,7 @@
 #include "../../solvers/proof/still.c"
 #include "../../solvers/proof/sliding.c"
 
-enum { BLOCKS = 2, JOINTS = 2, POINTS = 4, NODES = 6, ENTRIES = 6, SWEEPS = 6 };
+enum { BLOCKS = 2, JOINTS = 2, POINTS = 4, NODES = 28, ENTRIES = 64, LEAF = 6, FEW = 8, SWEEPS = 6 };
 
 static sp_block block[BLOCKS + 1];
 static sp_joint joint[JOINTS];
@@ -146,12 +147,38 @@ static void refute_leaf(int32_t faces)
     }
     any_numbers(w.reach, 6 * BLOCKS);
     w.total = any(); w.slack_of_work = any();
-    sp__refute_leaf(&w, 0, ENTRIES);
+    sp__refute_leaf(&w, 0, LEAF);
 }
 
 void eva_refute(void) { refute_leaf(0); }
 void eva_refute_exact(void) { refute_leaf(8); }
 void eva_refute_faces(void) { refute_leaf(64); }
+
+/* A walk of any tree of cases of one vertex: NODES hold its deepest, 26 splits and a leaf, and one more. */
+void eva_refute_walk(void)
+{
+    sp_arena a = memory_of(0);
+    static sp__refute w;
+    opened(0, &a);
+    const sp__lengths k = sp__coupled_lengths(&pb, &set);
+    pb.blocks = pb.contacts = 1;
+    sp__refute_carve(&w, 1, 1, &a);
+    w.j = &judge; w.k = &k; w.proof = &proof;
+    w.contact[0] = 0; w.at[0] = 1;
+    w.F[0] = any(); w.any_friction[0] = any();
+    any_numbers(w.reach, 6);
+    w.total = any(); w.slack_of_work = any();
+    if (proof.nodes > 0 && proof.entries >= 0) sp__refute_walk(&w);
+}
+
+/* All of it, of four vertices and FEW nodes. */
+void eva_refute_whole(void)
+{
+    sp_arena a = memory_of(0);
+    opened(0, &a);
+    const sp__lengths k = sp__coupled_lengths(&pb, &set);
+    if (proof.nodes <= FEW) sp__certify_refutation(&judge, &k, &proof, &a);
+}
 
 /* Of a proof that nothing moves. */
 void eva_still(void)
@@ -168,7 +195,30 @@ void eva_still(void)
     w.delta = any();
     sp__still_delta(&judge, inertia);
     sp__still_reach(&w);
-    sp__still_leaf(&w, 0, ENTRIES);
+    sp__still_leaf(&w, 0, LEAF);
+}
+
+/* A walk of any tree of cases of one corner: its deepest is 12 splits and a leaf. */
+void eva_still_walk(void)
+{
+    sp_arena a = memory_of(0);
+    static sp__still w;
+    opened(0, &a);
+    pb.blocks = pb.contacts = 1;
+    sp__still_carve(&w, 1, 1, &a);
+    w.j = &judge; w.M = inertia; w.proof = &proof;
+    w.contact[0] = 0; w.at[0] = 1;
+    w.delta = any();
+    any_numbers(w.reach, 6);
+    if (proof.nodes > 0 && proof.entries >= 0) sp__still_walk(&w);
+}
+
+/* All of it, of four corners and FEW nodes. */
+void eva_still_whole(void)
+{
+    sp_arena a = memory_of(0);
+    opened(0, &a);
+    if (proof.nodes <= FEW) sp__certify_still(&judge, inertia, &proof, &a);
 }
 
 /* Forces without torsion and the motion along a tree of joints, with live loads and without. */
@@ -179,4 +229,48 @@ void eva_even(void)
     opened(0, &a);
     any_numbers(live, 6 * BLOCKS);
     sp__certify_even(&judge, f, any_whole(0, 1) ? live : NULL, &a);
+}
+
+/* The form of shear of a tower of two blocks, with live loads and without. */
+void eva_shear(void)
+{
+    static sp_real live[6 * BLOCKS];
+    sp_arena a = memory_of(0);
+    opened(0, &a);
+    any_numbers(live, 6 * BLOCKS);
+    sp__certify_shear(&judge, inertia, f, any_whole(0, 1) ? live : NULL, &a);
+}
+
+/* Of one block on two joints, that name the pair in one order or in both. */
+static void shear_pair(int32_t a, int32_t b)
+{
+    sp_arena all = memory_of(0);
+    opened(0, &all);
+    pb.blocks = 1;
+    contact[1].a = a; contact[1].b = b;
+    sp__certify_shear(&judge, inertia, f, NULL, &all);
+}
+
+void eva_shear_pair(void) { shear_pair(-1, 0); }
+void eva_shear_turned(void) { shear_pair(0, -1); }
+
+/* Bytes of any counts: nothing overflows. */
+void eva_needs(void)
+{
+    const int32_t points = any_whole(0, INT32_MAX), contacts = any_whole(0, INT32_MAX), blocks = any_whole(0, INT32_MAX);
+    pb.blocks = blocks;
+    set.faces = any_whole(0, SP__FACES_MAX);
+    sp__certifier_need(&pb, &set);
+    sp__refute_need(points, blocks);
+    sp__still_need(points, blocks);
+    sp__shear_need(points, contacts, blocks);
+}
+
+/* How many sweeps a budget leaves; the motion of a result. */
+void eva_read(void)
+{
+    make(0);
+    set.budget = any_whole(INT32_MIN, INT32_MAX);
+    sp__budget_sweeps(&set, &pb, any_whole(INT32_MIN, INT32_MAX) * (int64_t)INT32_MAX);
+    sp__motion_read(&pb, dq, loads);
 }
