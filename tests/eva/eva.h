@@ -5,6 +5,7 @@
 #define SP_API static
 #include "../../solvers/base/real.c"
 #include "__fc_builtin.h"
+#include <stdlib.h>
 
 /* Also infinite, or no number: a difference of infinities. */
 static sp_real any(void)
@@ -24,5 +25,11 @@ static sp_arena memory_of(size_t from)
     a.base = memory.byte + from; a.capacity = sizeof memory.byte - from; a.used = a.peak = 0;
     return a;
 }
+
+#ifdef EVA_PIECES
+/* Memory of its own, zeroed, for each piece the arena has room for: a step from one into the next is an alarm. */
+static void *piece_of(sp_arena *a, size_t count, size_t size) { return sp__take(a, count, size) ? calloc(count, size) : NULL; }
+#define sp__take piece_of
+#endif
 
 #endif

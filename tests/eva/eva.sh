@@ -9,9 +9,9 @@
 # The walks of trees of cases (sp__refute_walk, sp__still_walk) are told apart by the node they are at and by how deep their
 # stack is: a state that was split d times then lies between two numbers. That takes two annotations above the loop of each; a
 # copy gets them below, and they change no statement. Asked are trees of at most NODES nodes of one vertex, the deepest one
-# among them (26 splits of refute.c, 12 of still.c), and of FEW nodes of four.
+# among them (26 splits of refute.c, 12 of still.c), and of FEW nodes of four. Each piece of an arena is memory of its own.
 # Not asked: that the stack is as deep as a longer tree of several vertices splits, for which there would have to be a state of
-# each; a static assertion beside each walk says why it is.
+# each; a static assertion beside each walk says why it is. Nor what an arena's memory holds before it is written.
 set -eu
 cd "$(dirname "$0")/../.."
 tree=$(mktemp -d)
@@ -55,7 +55,8 @@ for entry in ${*:-$all}; do
     begun=$(date +%s)
     # shellcheck disable=SC2046
     if frama-c -eva -machdep gcc_x86_64 $(precision "$entry") -eva-slevel-function "$(apart "$file" "$entry")" \
-            -eva-split-return full -warn-special-float none -main "$entry" "$file" > "$log" 2>&1 \
+            -eva-alloc-builtin fresh -eva-no-alloc-returns-null -eva-split-return full -warn-special-float none \
+            -main "$entry" "$file" > "$log" 2>&1 \
             && grep -q ' 0 alarms generated' "$log" && ! grep -q 'implicit-function-declaration' "$log"; then
         passed=$((passed + 1))
         statements=$(sed -n 's/.*these functions, \([0-9]* statements\) reached.*/\1/p' "$log")

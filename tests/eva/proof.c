@@ -2,6 +2,7 @@
  * given: two free blocks, one joint between them of two points, one to the ground of two, one block held in some directions.
  * A proof is any nodes, rows and multipliers, at most NODES and ENTRIES. Asked is memory: indices, what is uninitialised,
  * overflow of whole numbers. */
+#define EVA_PIECES
 #include "eva.h"
 #include "../../solvers/base/words.c"
 #include "../../solvers/proof/refute.c"
