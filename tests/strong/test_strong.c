@@ -107,18 +107,6 @@ TEST(a_slope_is_decided_to_a_millionth_in_the_plane_and_in_space)
         }
 }
 
-/* A square plate of weight 1 N and half edge c on its corners, maybe on the middles of its edges, too, turned by a torque. */
-static sp_scene plate(double c, double mu, double torque, int middles)
-{
-    const sp_real x = R(c), few[12] = { -x, -x, 0, x, -x, 0, x, x, 0, -x, x, 0 };
-    const sp_real more[24] = { -x, -x, 0, 0, -x, 0, x, -x, 0, x, 0, 0, x, x, 0, 0, x, 0, -x, x, 0, -x, 0, 0 };
-    const sp_strength rough = sp_strength_friction(R(mu));
-    sp_scene s = board(c);
-    CHECK_INT(sp_scene_joint(&s, 0, 1, middles ? 8 : 4, middles ? more : few, &rough, NULL), SP_OK);
-    turn_board(&s, torque);
-    return s;
-}
-
 /* r = c sqrt 2: two corners across carry mu W r; two middles mu W c only. So which corners a joint lists matters, and strong at
  * these corners is no more than that. The largest spin is (T - mu W c) / J. */
 TEST(a_plate_on_its_corners_holds_what_moves_with_the_middles_of_its_edges_too)
