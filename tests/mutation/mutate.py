@@ -39,12 +39,13 @@ SETS = {
 # Suites by what is changed, quick ones first.
 JUDGES = ['moving', 'scale', 'search', 'forces', 'spin', 'leaf', 'corner', 'refute', 'still', 'shear', 'triple', 'verify', 'claims',
           'strong', 'shapes', 'spared', 'attack', 'exact', 'coupled', 'strength', 'closed', 'sliding']
-VERIFIES = ['hint', 'verify', 'islands', 'claims', 'arguments', 'exact', 'memory', 'capacity', 'strong']    # of verify alone
+VERIFIES = ['hint', 'verify', 'islands', 'claims', 'arguments', 'exact', 'memory', 'capacity', 'holds',
+            'strong']                                       # of verify alone
 LIMITS = ['ask', 'ends', 'climb', 'moves', 'count', 'limit', 'arguments', 'bracket', 'spent', 'effort', 'sliding']  # of limit alone
 FIRST = ('tally', 'count', 'drawn')      # they count work, which hardly any change leaves as it was
 NOT_CORE = ('host', 'settle', 'small')          # of the core all other suites are asked, their quick tests
 # What a survivor is asked by once more, fenced.
-WHITE = ['scale', 'search', 'forces', 'spin', 'leaf', 'still', 'shear', 'corner', 'moving', 'fence']
+WHITE = ['scale', 'search', 'forces', 'spin', 'leaf', 'still', 'shear', 'corner', 'moving', 'fence', 'holds']
 FLAGS = ['-std=c99', '-ffp-contract=off', '-fno-math-errno']
 FENCED = shutil.which('clang-19') or 'gcc'      # with sanitizers clang takes a third of gcc's time
 
