@@ -55,33 +55,29 @@ SP__NOINLINE static void sp__ipm_by_sides(sp__system *w, int32_t v, const sp_rea
     }
 }
 
-/* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge, S / faces (1, mu d + h d'),
- * d the normal of its k-th face, d' that turned by a quarter, all times `force_scale`. What the edges of a contact share: */
-typedef struct sp__edges { sp_real n, mu, h; } sp__edges;
-
-static sp__edges sp__ipm_edges(const sp__system *w, int32_t c)
+/* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge, n (1, mu d + h d'),
+ * n = S / faces, h = mu tan(pi / faces), d the normal of its k-th face, d' that turned by a quarter; all times `force_scale`. */
+static sp_real sp__ipm_normal(const sp__system *w, int32_t c)
 {
-    const sp_real n = w->inner->force_scale * sp__system_scale(w, c) / (sp_real)w->law.cone.faces, mu = sp__system_mu(w, c);
-    const sp__edges o = { n, mu, mu * w->law.cone.tan_half };
-    return o;
+    return w->inner->force_scale * sp__system_scale(w, c) / (sp_real)w->law.cone.faces;
 }
 
-/* One of them. e[1] not written like e[2]: see sp__soc_square. */
-static inline void sp__ipm_edge(const sp__edges *o, const sp_real d[2], sp_real e[3])
+/* An edge. e[1] is not written like e[2]: see sp__soc_square. */
+static inline void sp__ipm_edge(sp_real n, sp_real mu, sp_real h, const sp_real d[2], sp_real e[3])
 {
-    e[0] = o->n;
-    e[1] = o->n * o->mu * d[0] - o->n * o->h * d[1];
-    e[2] = o->n * (o->mu * d[1] + o->h * d[0]);
+    e[0] = n;
+    e[1] = n * mu * d[0] - n * h * d[1];
+    e[2] = n * (mu * d[1] + h * d[0]);
 }
 
 /* A pyramid's share of sp__ipm_derivative. */
 SP__NOINLINE static void sp__ipm_by_edges(sp__system *w, int32_t c, int32_t v, const sp_real u[3], sp_real D[6], sp_real f[3])
 {
     const sp_real *x = w->inner->x + (size_t)w->law.cone.faces * (size_t)v, times = sp__system_multiplicity(w, v);
-    const sp__edges o = sp__ipm_edges(w, c);
+    const sp_real n = sp__ipm_normal(w, c), mu = sp__system_mu(w, c), h = mu * w->law.cone.tan_half;
     sp_real *e = sp__visit_of(w)->edge;
     for (int32_t k = 0; k < w->law.cone.faces; k++) {
-        sp__ipm_edge(&o, w->law.cone.direction[k], e);
+        sp__ipm_edge(n, mu, h, w->law.cone.direction[k], e);
         const sp_real zk = w->inner->theta - sp__dot3(e, u), s = x[k] / zk;
         if (!(zk > 0 && x[k] > 0)) w->inner->outside = 1;
         w->inner->gap += times * x[k] * zk;

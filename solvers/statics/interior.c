@@ -118,9 +118,9 @@ static sp_real sp__ipm_ray(const sp__system *w, sp__ipm *m, sp_real share, sp_re
 SP__NOINLINE static void sp__ipm_rays(const sp__system *w, sp__ipm *m, int32_t c, int32_t v, sp_real u[3][3], sp_real g[3])
 {
     sp_real *x = m->x + (size_t)w->law.cone.faces * (size_t)v, *e = sp__visit_of(w)->edge, *rate = sp__visit_of(w)->rate;
-    const sp__edges o = sp__ipm_edges(w, c);
+    const sp_real n = sp__ipm_normal(w, c), mu = sp__system_mu(w, c), h = mu * w->law.cone.tan_half;
     for (int32_t k = 0; k < w->law.cone.faces; k++) {
-        sp__ipm_edge(&o, w->law.cone.direction[k], e);
+        sp__ipm_edge(n, mu, h, w->law.cone.direction[k], e);
         for (int q = 0; q < 3; q++) rate[q] = sp__dot3(e, u[q]);
         const sp_real a = sp__ipm_ray(w, m, 1, x + k, rate);
         for (int q = 0; q < 3; q++) g[q] += a * e[q];
