@@ -112,7 +112,7 @@ static inline void sp__reduction_left(const sp_real T[7], const sp_real x[3], sp
     y[2] = T[4] * x[0] + T[5] * x[1] + T[6] * x[2];
 }
 
-/* Contact c's H into L: T' H T. */
+/* Contact c's H into L: T' H T, of a diagonal block the upper triangle, which is kept as columns of the lower one. */
 SP__NOINLINE static void sp__reduction_add(sp__system *w, int32_t c, const sp_real H[9])
 {
     const sp_contact *t = &w->pb->contact[c];

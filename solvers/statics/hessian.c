@@ -56,7 +56,8 @@ SP__NOINLINE static void sp__ipm_by_sides(sp__system *w, int32_t v, const sp_rea
 }
 
 /* E = S diag(1, mu, mu) for the true cone; for a pyramid x >= 0 and column k of E is its k-th edge, n (1, mu d + h d'),
- * n = S / faces, h = mu tan(pi / faces), d the normal of its k-th face, d' that by a quarter; all times `force_scale`. */
+ * n = S / faces, h = mu tan(pi / faces), d the normal of its k-th face, d' the same turned by a quarter; all times
+ * `force_scale`. */
 static sp_real sp__ipm_normal(const sp__system *w, int32_t c)
 {
     return w->inner->force_scale * sp__system_scale(w, c) / (sp_real)w->law.cone.faces;

@@ -13,7 +13,7 @@
 #     json    stored answers into `verify`                                        blob   requests and results of the worker
 #
 # Found inputs go to build/fuzz/, by the loop as small as they get and of `scene` as a scene file, too; run `build/fuzz/TARGET FILE`
-# again. FUZZ_SEED: else the day.
+# again. FUZZ_SEED: of what is drawn, the day if it is not given.
 set -eu
 . tests/fuzz/targets.sh
 quick=
