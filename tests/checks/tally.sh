@@ -1,6 +1,6 @@
 # tally: counting for the scripts beside it; sourced, not run.
 #
-#     part NAME COMMAND...       run, show the output if it failed (and its last line if it passed with SHOW=1)
+#     part NAME COMMAND...       run, show the output if it failed (and if it passed with SHOW=1; then $figure is its last line)
 #     skip WHAT PACKAGE          could not be run here; a failure with STRICT=1. lack WHAT FOLDER: likewise, no package has it
 #     spent                      sets $spent: seconds of processor that commands took so far; with TIMES=1 part and count tell theirs
 #     total                      the closing line; the status is that of the whole script
@@ -28,7 +28,10 @@ part() {
         ended
         passed=$((passed + 1))
         echo "ok      $part_name$took"
-        if [ -n "${SHOW:-}" ]; then sed 's/^/        /' "$tally_log"; fi
+        if [ -n "${SHOW:-}" ]; then
+            sed 's/^/        /' "$tally_log"
+            figure=$(grep -v '^ *$' "$tally_log" | tail -n 1)
+        fi
     else
         failed=$((failed + 1))
         echo "FAILED  $part_name"
