@@ -336,7 +336,7 @@ TEST(every_capacity_is_refused_or_enough)
             q.set = table[k].choose ? &set : NULL;
             NEED(sp_memory(&scene, table[k].need, q.set, test_arena, &need) == SP_OK);
             if (table[k].need == SP_FOR_WORK) NEED(take_result(&q, &set) == SP_OK);
-            const size_t step = need < 6000 ? SOME_OF(1, 3) : need / 400 | 1;
+            const size_t step = need < 6000 ? 1 : need / SOME_OF(2000, 400) | 1;
             const size_t enough = sweep(&q, table[k].ask, need, step);
             if (enough == SIZE_MAX) {                   /* the last step ended before it */
                 sp_arena a = { test_arena.base + (test_arena.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN, need, 0, 0 };
