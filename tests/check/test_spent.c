@@ -30,6 +30,22 @@ static void make(int k, sp_scene *s)
     s->body[2] = R(9.80665 * o->z);
 }
 
+/* A number of all bytes of the scene, which is alone in the arena; whatever ends anywhere leaves it as it was. */
+static uint64_t scene_bytes;
+static size_t scene_used;
+static uint64_t number_of(void)
+{
+    uint64_t h = 14695981039346656037u;
+    for (size_t k = 0; k < scene_used; k++) h = (h ^ test_arena.base[k]) * 1099511628211u;
+    return h;
+}
+static void keep(void)
+{
+    scene_used = test_arena.used;
+    scene_bytes = number_of();
+}
+static int as_it_was(void) { return number_of() == scene_bytes; }
+
 /* The next budget. */
 static int64_t more(int64_t budget) { return budget * SOME_OF(5, 9) / SOME_OF(4, 5) + 1; }
 
@@ -44,6 +60,7 @@ TEST(a_limit_with_any_budget_has_ends_that_hold)
         sp_limit_result all;
         int kinds = 0;
         make(k, &s);
+        keep();
         NEED(sp_limit(&s, NULL, &test_arena, &all) == SP_OK);
         const double near = TOL(1e-6, 5e-3);
         for (int64_t b = 1; b < 40 * all.cost.flops; b = more(b)) {
@@ -53,6 +70,7 @@ TEST(a_limit_with_any_budget_has_ends_that_hold)
             int32_t held = 0;
             set.budget = b;
             NEED(sp_limit(&s, &set, &a, &r) == SP_OK);
+            CHECK(as_it_was());
             kinds |= 1 << r.kind;
             if (r.kind == SP_LIMIT_UNDECIDED) continue;
             CHECK_INT(sp_limit_verify(&s, NULL, &r, a, &held), SP_OK);
@@ -75,6 +93,7 @@ TEST(a_sliding_limit_with_any_budget_is_proved)
         sp_limit_result limit;
         sp_sliding_result all;
         make(k, &s);
+        keep();
         NEED(sp_limit(&s, NULL, &test_arena, &limit) == SP_OK);
         NEED(sp_sliding(&s, NULL, NULL, &limit, &test_arena, &all) == SP_OK);
         for (int64_t b = 1; b < 2 * all.cost.flops; b = more(more(b))) {
@@ -84,6 +103,7 @@ TEST(a_sliding_limit_with_any_budget_is_proved)
             sp_sliding_evidence e;
             set.budget = b;
             NEED(sp_sliding(&s, &set, NULL, &limit, &a, &r) == SP_OK);
+            CHECK(as_it_was());
             CHECK_INT(sp_sliding_verify(&s, NULL, &r, a, &e), SP_OK);
             CHECK_INT(e.state, r.kind == SP_SLIDING_STATE);
             CHECK(!(e.lower < r.lower) && !(e.lower_strong < r.lower_strong) && r.lower_strong <= r.lower);
@@ -101,6 +121,7 @@ TEST(a_strong_verdict_with_any_budget_is_proved)
         sp_strong_result all;
         make(k, &s);
         s.body[0] = s.body[2] = 0;
+        keep();
         const sp_result rest = check(&s, NULL);
         sp_settings most = sp_settings_default();
         most.budget = SOME_OF(200000000, 1000000);
@@ -112,6 +133,7 @@ TEST(a_strong_verdict_with_any_budget_is_proved)
             sp_strong_kind proved = SP_STRONG_NONE;
             set.budget = b;
             NEED(sp_strong(&s, &set, NULL, rest.f, NULL, &a, &r) == SP_OK);
+            CHECK(as_it_was());
             CHECK_INT(sp_strong_verify(&s, NULL, &r, a, &proved), SP_OK);
             CHECK_INT(proved, r.kind);
             if (r.kind >= SP_STRONG_AT_CORNERS) CHECK(all.kind != SP_STRONG_AMBIGUOUS);
@@ -132,6 +154,7 @@ TEST(a_coupled_check_with_any_budget_says_what_it_proves)
         s.body[0] = s.body[2] = 0;
         for (int32_t q = 0; q < s.count.joints; q++) s.joint[q].strength = sp_strength_friction(R(scenes[k].mu));
         set.coupled.asked = 1;
+        keep();
         const sp_settings ask = set;
         NEED(sp_check(&s, &set, &test_arena, &all) == SP_OK);
         for (int64_t b = 1; b < 2 * all.spent.total.flops; b = more(more(b))) {
@@ -140,6 +163,7 @@ TEST(a_coupled_check_with_any_budget_says_what_it_proves)
             sp_evidence e;
             set.budget = b;
             NEED(sp_check(&s, &set, &a, &r) == SP_OK);
+            CHECK(as_it_was());
             CHECK(!opposite(r.verdict, all.verdict));
             CHECK(!(r.coupled.verdict == SP_COUPLING_REFUTED && all.level == SP_COUPLED));
             CHECK(!(r.level == SP_COUPLED && all.coupled.verdict == SP_COUPLING_REFUTED));
@@ -160,6 +184,7 @@ TEST(a_build_order_with_any_budget_says_what_it_proves)
         make(k, &s);
         s.body[0] = s.body[2] = 0;
         NEED(s.count.blocks <= 64);
+        keep();
         NEED(sp_check(&s, NULL, &test_arena, &whole) == SP_OK);
         for (int32_t q = 0; q < s.count.blocks; q++) who[q] = SP_PRESENT;
         for (int64_t b = 1; b < 4 * whole.spent.total.flops + 1000; b = more(more(b))) {
@@ -184,6 +209,7 @@ TEST(a_build_order_with_any_budget_says_what_it_proves)
             }
             for (int32_t i = 0; i < count; i++) NEED(sp_sequence_set(q, held_now[i], SP_HELD, &step) == SP_OK);
             CHECK(step.verdict != SP_UNSTABLE);
+            CHECK(as_it_was());
             if (whole.verdict == SP_STABLE && step.verdict == SP_STABLE) CHECK_INT(step.block, -1);
         }
     }

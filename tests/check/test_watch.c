@@ -88,7 +88,7 @@ static void note(void *self, sp_stage_id stage, const sp_cost *cost)
 /* Ended there, the scene has every byte it had, and is checked as if nothing had been. */
 TEST(a_check_that_ends_anywhere_leaves_its_scene_as_it_was)
 {
-    for (size_t k = 0; k < sizeof sample / sizeof *sample; k += SOME_OF(1, 3)) {
+    for (size_t k = 0; k < sizeof sample / sizeof *sample; k++) {
         places p;
         const sp_watch watch = { note, &p };
         sp_settings set = sp_settings_default();
@@ -105,7 +105,7 @@ TEST(a_check_that_ends_anywhere_leaves_its_scene_as_it_was)
         set.watch = &watch;
         NEED(sp_check(&s, &set, &test_arena, &all) == SP_OK);
         set.watch = NULL;
-        NEED(p.count > 0);
+        NEED(p.count > 0 && p.count < PLACES);
         for (int32_t q = 0; q < p.count; q++) {
             sp_arena a = test_arena;
             set.budget = p.at[q];
