@@ -159,14 +159,6 @@ static void sp__bchol_block(sp__low *a, sp__low floor)
     }
 }
 
-/* z <- z - s l, six numbers, all read before one is written: compilers at -O2 then take two at a time. */
-static inline void sp__subtract6(sp__low *z, const sp__low *l, sp__low s)
-{
-    const sp__low l0 = l[0] * s, l1 = l[1] * s, l2 = l[2] * s, l3 = l[3] * s, l4 = l[4] * s, l5 = l[5] * s;
-    const sp__low z0 = z[0] - l0, z1 = z[1] - l1, z2 = z[2] - l2, z3 = z[3] - l3, z4 = z[4] - l4, z5 = z[5] - l5;
-    z[0] = z0; z[1] = z1; z[2] = z2; z[3] = z3; z[4] = z4; z[5] = z5;
-}
-
 #ifdef SP_REAL_MIXED
 /* A final block loses what is below 2^-63: rows have unit size, and two such numbers have a product below the normal range of a
  * float, which processors take a hundred cycles for. Conjugate gradients mend it. */
@@ -179,14 +171,19 @@ static void sp__bchol_flush(sp__low *x)
 static void sp__bchol_flush(sp__low *x) { (void)x; }
 #endif
 
+/* z <- z - l s of six numbers z0 .. z5 at hand: compilers at -O2 take two at a time. */
+#define SP__LESS6(l, s) \
+    z0 -= (l)[0] * (s); z1 -= (l)[1] * (s); z2 -= (l)[2] * (s); z3 -= (l)[3] * (s); z4 -= (l)[4] * (s); z5 -= (l)[5] * (s)
+
 /* X <- X L'^-1, column by column. */
 static void sp__bchol_right(sp__low *x, const sp__low *l)
 {
     for (int c = 0; c < 6; c++) {
-        sp__low *xc = x + 6 * c;
-        for (int k = 0; k < c; k++) sp__subtract6(xc, x + 6 * k, l[sp__column[k] + c - k]);
-        const sp__low s = l[sp__column[c]] < 0 ? 0 : l[sp__column[c]];
-        xc[0] *= s; xc[1] *= s; xc[2] *= s; xc[3] *= s; xc[4] *= s; xc[5] *= s;
+        sp__low *xc = x + 6 * c, z0 = xc[0], z1 = xc[1], z2 = xc[2], z3 = xc[3], z4 = xc[4], z5 = xc[5];
+        const sp__low *lc = l + c, *xk = x;
+        for (int k = 5; xk < xc; xk += 6, lc += k--) { SP__LESS6(xk, *lc); }
+        const sp__low s = *lc < 0 ? 0 : *lc;
+        xc[0] = z0 * s; xc[1] = z1 * s; xc[2] = z2 * s; xc[3] = z3 * s; xc[4] = z4 * s; xc[5] = z5 * s;
     }
     sp__bchol_flush(x);
 }
@@ -196,15 +193,14 @@ static void sp__bchol_right(sp__low *x, const sp__low *l)
 static void sp__bchol_update(sp__low *c, int wide, const sp__low *const *a, const sp__low *const *b, size_t at)
 {
     for (int q = 0; q < 6; q++, c += 6) {
-        sp__low c0 = c[0], c1 = c[1], c2 = c[2], c3 = c[3], c4 = c[4], c5 = c[5];
+        sp__low z0 = c[0], z1 = c[1], z2 = c[2], z3 = c[3], z4 = c[4], z5 = c[5];
         for (int m = 0; m < wide; m++) {
             const sp__low *am = a[m] + at, *bm = b[m] + q;
-#define SP__STEP(k) { const sp__low s = bm[6 * (k)]; const sp__low *ak = am + 6 * (k); \
-            c0 -= ak[0] * s; c1 -= ak[1] * s; c2 -= ak[2] * s; c3 -= ak[3] * s; c4 -= ak[4] * s; c5 -= ak[5] * s; }
+#define SP__STEP(k) { const sp__low s = bm[6 * (k)]; SP__LESS6(am + 6 * (k), s); }
             SP__STEP(0) SP__STEP(1) SP__STEP(2) SP__STEP(3) SP__STEP(4) SP__STEP(5)
 #undef SP__STEP
         }
-        c[0] = c0; c[1] = c1; c[2] = c2; c[3] = c3; c[4] = c4; c[5] = c5;
+        c[0] = z0; c[1] = z1; c[2] = z2; c[3] = z3; c[4] = z4; c[5] = z5;
     }
 }
 
@@ -548,7 +544,9 @@ SP__NOINLINE static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, s
         for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
             sp__low *z = t + 6 * (size_t)f->i[q];
             const sp__low *l = f->x + 36 * (size_t)q;
-            for (int c = 0; c < 6; c++, l += 6) sp__subtract6(z, l, v[c]);
+            sp__low z0 = z[0], z1 = z[1], z2 = z[2], z3 = z[3], z4 = z[4], z5 = z[5];
+            for (int c = 0; c < 6; c++, l += 6) { SP__LESS6(l, v[c]); }
+            z[0] = z0; z[1] = z1; z[2] = z2; z[3] = z3; z[4] = z4; z[5] = z5;
         }
     }
     for (int32_t k = f->n - 1; k >= 0; k--) {                                   /* L' x = z */
