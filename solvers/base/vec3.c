@@ -6,10 +6,10 @@
 
 #if SP__WITH_STONES
 
-static sp_real sp__dot3(const sp_real a[3], const sp_real b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static inline sp_real sp__dot3(const sp_real a[3], const sp_real b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /* |a|, also where its square would over- or underflow; infinite where the sum of its components is. */
-static sp_real sp__norm3(const sp_real a[3])
+static inline sp_real sp__norm3(const sp_real a[3])
 {
 #ifdef SP_REAL_FLOAT
     const sp_real low = (sp_real)1e-24, high = (sp_real)1e24;
@@ -27,23 +27,23 @@ static sp_real sp__norm3(const sp_real a[3])
 static int sp__finite3(const sp_real a[3]) { return sp__all_finite(a, 3); }
 
 /* c = a - b, c = s a, c = a x b; c may be a, in the first two also b. */
-static void sp__sub3(const sp_real a[3], const sp_real b[3], sp_real c[3])
+static inline void sp__sub3(const sp_real a[3], const sp_real b[3], sp_real c[3])
 {
-    for (int k = 0; k < 3; k++) c[k] = a[k] - b[k];
+    c[0] = a[0] - b[0]; c[1] = a[1] - b[1]; c[2] = a[2] - b[2];
 }
 
-static void sp__scale3(sp_real s, const sp_real a[3], sp_real c[3])
+static inline void sp__scale3(sp_real s, const sp_real a[3], sp_real c[3])
 {
-    for (int k = 0; k < 3; k++) c[k] = s * a[k];
+    c[0] = s * a[0]; c[1] = s * a[1]; c[2] = s * a[2];
 }
 
 /* a += s b */
-static void sp__add3(sp_real a[3], sp_real s, const sp_real b[3])
+static inline void sp__add3(sp_real a[3], sp_real s, const sp_real b[3])
 {
-    for (int k = 0; k < 3; k++) a[k] += s * b[k];
+    a[0] += s * b[0]; a[1] += s * b[1]; a[2] += s * b[2];
 }
 
-static void sp__cross3(const sp_real a[3], const sp_real b[3], sp_real c[3])
+static inline void sp__cross3(const sp_real a[3], const sp_real b[3], sp_real c[3])
 {
     const sp_real x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
     c[0] = x; c[1] = y; c[2] = z;

@@ -94,7 +94,9 @@ static void sp__vertex_velocity(const sp_problem *pb, const sp__scale *scale, co
         sp_real arm[3], w[3];
         sp__arm(pb, i, v, arm);
         sp__cross3(m + 3, arm, w);
-        for (int k = 0; k < 3; k++) u[k] += sign * (wf * m[k] + wm * w[k]);
+        sp__scale3(wm, w, w);
+        sp__add3(w, wf, m);
+        sp__add3(u, sign, w);
     }
 }
 
@@ -109,7 +111,8 @@ static void sp__vertex_force(const sp_problem *pb, const sp_contact *t, int32_t 
         const sp_real sign = side ? -1 : 1;
         sp__arm(pb, i, v, arm);
         sp__cross3(arm, F, m);
-        for (int k = 0; k < 3; k++) { to[k] += sign * F[k]; to[3 + k] += sign * m[k]; }
+        sp__add3(to, sign, F);
+        sp__add3(to + 3, sign, m);
         if (sum) { sum[2 * (size_t)i] += sp__norm3(F); sum[2 * (size_t)i + 1] += sp__norm3(m); }
     }
 }
@@ -247,7 +250,7 @@ static int32_t sp__certifier_sums(sp__certifier *j)
             sp_real f[3], rest[3];
             sp__vertex_velocity(pb, j->scale, t, v, j->dual.potential, f);
             sp__vertex_velocity(pb, j->scale, t, v, j->correction, rest);
-            for (int k = 0; k < 3; k++) f[k] += rest[k];
+            sp__add3(f, 1, rest);
             sp__vertex_force(pb, t, v, f, j->residual, j->pass.sums);
         }
     }

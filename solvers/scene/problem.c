@@ -27,9 +27,11 @@ static int sp__scene_live(const sp_scene *scene)
 }
 
 /* A vector of a joint's frame (n, t1, t2) in space, and back. */
-static void sp__joint_force(const sp_joint *t, const sp_real f[3], sp_real F[3])
+static inline void sp__joint_force(const sp_joint *t, const sp_real f[3], sp_real F[3])
 {
-    for (int k = 0; k < 3; k++) F[k] = f[0] * t->n[k] + f[1] * t->t1[k] + f[2] * t->t2[k];
+    sp__scale3(f[0], t->n, F);
+    sp__add3(F, f[1], t->t1);
+    sp__add3(F, f[2], t->t2);
 }
 
 /* d = (u.n, u.t1, u.t2); d may be u. */
@@ -316,11 +318,12 @@ SP_API sp_status sp_problem_build(const sp_scene *scene, sp_arena *arena, sp_pro
 static sp_real sp__load_unit(const sp_problem *pb)
 {
     sp_real force = 0, couple = 0;
-    for (size_t k = 0; k < 6 * (size_t)pb->blocks; k++) {
-        const sp_real x = sp__abs(pb->p[k]);
-        if (k % 6 < 3) force = sp__max(force, x);
-        else couple = sp__max(couple, x);
-    }
+    const sp_real *p = pb->p;
+    for (int32_t i = 0; i < pb->blocks; i++, p += 3)
+        for (int k = 0; k < 3; k++, p++) {
+            force = sp__max(force, sp__abs(p[0]));
+            couple = sp__max(couple, sp__abs(p[3]));
+        }
     return force > 0 ? force : couple > 0 ? couple : 1;
 }
 
@@ -359,11 +362,11 @@ static int sp__held(const sp_problem *pb, int32_t i, int k)
 /* Zero in a row of block i the directions in which it is held: forces there are the support's, motions none. */
 static void sp__drop_held(const sp_problem *pb, int32_t i, sp_real row[6])
 {
-    for (int k = 0; k < 6; k++) if (sp__held(pb, i, k)) row[k] = 0;
+    for (uint32_t held = pb->scene->block[pb->block[i]].fixed & SP_FIXED; held; held >>= 1, row++) if (held & 1u) *row = 0;
 }
 
 /* r_v - c_i for a free block i, zero for a support. */
-static void sp__arm(const sp_problem *pb, int32_t i, int32_t v, sp_real arm[3])
+static inline void sp__arm(const sp_problem *pb, int32_t i, int32_t v, sp_real arm[3])
 {
     arm[0] = arm[1] = arm[2] = 0;
     if (i >= 0) sp__sub3(pb->point[v], pb->scene->block[pb->block[i]].centroid, arm);
