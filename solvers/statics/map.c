@@ -33,7 +33,7 @@ static sp__view sp__view_of(const sp__system *w, int32_t c)
 }
 
 /* X = T y */
-static void sp__view_motion(const sp__system *w, const sp__view *k, const sp_real *y, sp_real X[6])
+static inline void sp__view_motion(const sp__system *w, const sp__view *k, const sp_real *y, sp_real X[6])
 {
     if (k->g) sp__reduction_motion(w, k->t, k->g, y, X);
     else sp__system_twist(w, k->t, y, X, X + 3);
@@ -47,7 +47,7 @@ static void sp__view_scatter(const sp__system *w, const sp__view *k, const sp_re
 }
 
 /* Where a vertex at l is, for the two below: l, or its levers, which lie in w->scratch until the next call. */
-static const sp_real *sp__view_place(const sp__system *w, const sp__view *k, const sp_real *l)
+static inline const sp_real *sp__view_place(const sp__system *w, const sp__view *k, const sp_real *l)
 {
     if (!k->g) return l;
     sp__wedge_levers(w, k->g, l, sp__visit_of(w)->h);
@@ -55,14 +55,14 @@ static const sp_real *sp__view_place(const sp__system *w, const sp__view *k, con
 }
 
 /* u = (I, -[l]x) X, friction weighed; the narrow kernel has no third. */
-static void sp__view_rates(const sp__system *w, const sp__view *k, const sp_real *place, const sp_real X[6], sp_real u[3])
+static inline void sp__view_rates(const sp__system *w, const sp__view *k, const sp_real *place, const sp_real X[6], sp_real u[3])
 {
     if (k->g) sp__wedge_rates(w, place, X, u);
     else sp__system_rate(w, X, X + 3, place, u);
 }
 
 /* f = S P_K(u), or S u */
-static void sp__view_force(const sp__system *w, const sp__view *k, sp__law law, const sp_real u[3], sp_real f[3])
+static inline void sp__view_force(const sp__system *w, const sp__view *k, sp__law law, const sp_real u[3], sp_real f[3])
 {
     if (k->g) { sp__wedge_law(w, law, k->c, k->g, u, f, NULL); return; }
     if (law == SP__ADMISSIBLE) { sp__system_force(w, k->c, w->law.yield, u, f); return; }
@@ -77,14 +77,14 @@ SP__NOINLINE static void sp__view_wedge(const sp__system *w, const sp__view *k, 
 }
 
 /* f as (fn, ft1, ft2) */
-static void sp__view_widen(const sp__system *w, const sp__view *k, const sp_real f[3], sp_real out[3])
+static inline void sp__view_widen(const sp__system *w, const sp__view *k, const sp_real f[3], sp_real out[3])
 {
     if (k->g) sp__wedge_widen(w, k->g, f, out);
     else memcpy(out, f, 3 * sizeof *f);
 }
 
 /* Y += (I, -[l]x)' f */
-static void sp__view_gather(const sp__system *w, const sp__view *k, const sp_real *place, const sp_real f[3], sp_real Y[6])
+static inline void sp__view_gather(const sp__system *w, const sp__view *k, const sp_real *place, const sp_real f[3], sp_real Y[6])
 {
     const sp_real *l = place;
     if (k->g) { sp__wedge_gather(w, place, f, Y); return; }
@@ -95,7 +95,7 @@ static void sp__view_gather(const sp__system *w, const sp__view *k, const sp_rea
 }
 
 /* |f| of as many numbers as there are. */
-static sp_real sp__view_norm(const sp__view *k, const sp_real f[3])
+static inline sp_real sp__view_norm(const sp__view *k, const sp_real f[3])
 {
     return k->g ? SP_SQRT(f[0] * f[0] + f[1] * f[1]) : sp__norm3(f);
 }

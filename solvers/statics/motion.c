@@ -16,7 +16,7 @@
 #if SP__WITH_LARGE
 
 /* S of a contact's vertices, ~ min(sbar_A, sbar_B): without it a pebble beside a cathedral is lost in rounding. */
-static sp_real sp__system_scale(const sp__system *w, int32_t c)
+static inline sp_real sp__system_scale(const sp__system *w, int32_t c)
 {
     const sp_contact *t = &w->pb->contact[c];
     const sp_real s = w->measure.metric > 0 ? sp__least_of_blocks(t, w->measure.size, 2) * w->measure.metric : 1;
@@ -88,7 +88,7 @@ static void sp__system_release(const sp__system *w, sp_real *r)
 }
 
 /* Force (k even) or moment of the load of block k / 2 in units, in the axes of the rows. */
-static void sp__system_load_of(const sp__system *w, size_t k, sp_real p[3])
+static inline void sp__system_load_of(const sp__system *w, size_t k, sp_real p[3])
 {
     sp__to_units(w->measure.unit, 3, w->pb->p + 3 * k, p);
     if (!sp__reduced(w)) return;
@@ -154,7 +154,7 @@ static const sp__yield *sp__system_yield(const sp__system *w, int32_t c)
 }
 
 /* X = T y: motion of B seen from A at the origin of a contact. */
-static void sp__reduction_motion(const sp__system *w, const sp_contact *t, const sp_real *g, const sp_real *y, sp_real X[3])
+static inline void sp__reduction_motion(const sp__system *w, const sp_contact *t, const sp_real *g, const sp_real *y, sp_real X[3])
 {
     const sp__reduction *o = w->reduction;
     const size_t row[3] = { sp__reduction_row(o, 0), sp__reduction_row(o, 1), sp__reduction_row(o, 2) };
@@ -171,7 +171,7 @@ static void sp__reduction_motion(const sp__system *w, const sp_contact *t, const
 }
 
 /* r += T' Y: the forces Y that X meets. */
-static void sp__reduction_gather(const sp__system *w, const sp_contact *t, const sp_real *g, const sp_real Y[3], sp_real *r)
+static inline void sp__reduction_gather(const sp__system *w, const sp_contact *t, const sp_real *g, const sp_real Y[3], sp_real *r)
 {
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;

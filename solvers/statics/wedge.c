@@ -16,7 +16,7 @@
 typedef enum sp__law { SP__BILATERAL, SP__ADMISSIBLE, SP__GIVEN, SP__INTERIOR } sp__law;
 
 /* Levers of a vertex at l in the contact's frame. */
-static void sp__wedge_levers(const sp__system *w, const sp_real *g, const sp_real *l, sp_real q[2])
+static inline void sp__wedge_levers(const sp__system *w, const sp_real *g, const sp_real *l, sp_real q[2])
 {
     const int plane = w->reduction->mode == SP__PLANE;
     q[0] = plane ? -(l[1] * g[2] + l[2] * g[3]) : g[0] * l[2] - g[1] * l[1];
@@ -24,7 +24,7 @@ static void sp__wedge_levers(const sp__system *w, const sp_real *g, const sp_rea
 }
 
 /* u = (un, us) of a vertex with levers q. */
-static void sp__wedge_rates(const sp__system *w, const sp_real q[2], const sp_real X[3], sp_real u[2])
+static inline void sp__wedge_rates(const sp__system *w, const sp_real q[2], const sp_real X[3], sp_real u[2])
 {
     const int plane = w->reduction->mode == SP__PLANE;
     u[0] = plane ? X[0] + q[0] * X[2] : X[0] + q[0] * X[1] + q[1] * X[2];
@@ -32,7 +32,7 @@ static void sp__wedge_rates(const sp__system *w, const sp_real q[2], const sp_re
 }
 
 /* Y += what force f = (fn, fs) at levers q does to X. */
-static void sp__wedge_gather(const sp__system *w, const sp_real q[2], const sp_real f[2], sp_real Y[3])
+static inline void sp__wedge_gather(const sp__system *w, const sp_real q[2], const sp_real f[2], sp_real Y[3])
 {
     const int plane = w->reduction->mode == SP__PLANE;
     Y[0] += f[0];
@@ -41,7 +41,7 @@ static void sp__wedge_gather(const sp__system *w, const sp_real q[2], const sp_r
 }
 
 /* The force as (fn, ft1, ft2); out may be f. */
-static void sp__wedge_widen(const sp__system *w, const sp_real *g, const sp_real f[2], sp_real out[3])
+static inline void sp__wedge_widen(const sp__system *w, const sp_real *g, const sp_real f[2], sp_real out[3])
 {
     const sp_real slip = w->reduction->mode == SP__PLANE ? f[1] : 0;
     out[0] = f[0];
@@ -50,7 +50,7 @@ static void sp__wedge_widen(const sp__system *w, const sp_real *g, const sp_real
 }
 
 /* f = P_K(u) with tension at its price, D its derivative (nn, ns, ss); mu: of the yield. f or D may be NULL. */
-static void sp__wedge_project(const sp__system *w, sp_real mu, const sp_real *g, const sp_real u[2], sp_real *f, sp_real *D)
+static inline void sp__wedge_project(const sp__system *w, sp_real mu, const sp_real *g, const sp_real u[2], sp_real *f, sp_real *D)
 {
     const sp_real side = u[1] < 0 ? (sp_real)-1 : (sp_real)1, s = side * u[1], k = mu / g[u[1] < 0 ? 5 : 4];
     const sp_real n = u[0] + k * s, x = n / (1 + k * k);
@@ -75,7 +75,7 @@ SP__NOINLINE static void sp__wedge_change(const sp__system *w, int32_t c, const 
 }
 
 /* f = P_K(u), or u where joints are bilateral, in the metric; D likewise. */
-static void sp__wedge_law(const sp__system *w, sp__law law, int32_t c, const sp_real *g, const sp_real u[2], sp_real *f,
+static inline void sp__wedge_law(const sp__system *w, sp__law law, int32_t c, const sp_real *g, const sp_real u[2], sp_real *f,
                           sp_real *D)
 {
     const sp_real S = sp__system_scale(w, c), T = S * w->law.slide;
