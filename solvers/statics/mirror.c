@@ -141,7 +141,9 @@ static int sp__mirror_cone(const sp_settings *set, const sp_contact *t, const sp
 {
     const sp_real x = sp__dot3(m, t->joint->t1), y = sp__dot3(m, t->joint->t2);
     sp_real c, half, plus = -1, minus = -1;
+    const sp_real eps = sp__max(sp__reduction_tol(set), 64 * (sp_real)SP_EPSILON);
     if (!set->faces) return 1;
+    if (set->faces % 4 == 0 && sp__max(sp__abs(x), sp__abs(y)) >= 1 - eps) return 1;      /* along a face's normal */
     sp__pyramid_half(set->faces, &c, &half);
     for (int32_t k = 0; k < set->faces; k++) {
         sp_real d[2];
@@ -149,7 +151,6 @@ static int sp__mirror_cone(const sp_settings *set, const sp_contact *t, const sp
         plus = sp__max(plus, d[1] * x - d[0] * y);
         minus = sp__max(minus, d[0] * y - d[1] * x);
     }
-    const sp_real eps = sp__max(sp__reduction_tol(set), 64 * (sp_real)SP_EPSILON);
     return (plus >= 1 - eps || plus <= c + eps) && (minus >= 1 - eps || minus <= c + eps);
 }
 
