@@ -666,7 +666,7 @@ typedef enum sp_memory_for {
     SP_FOR_VERIFY,              /* sp_verify's scratch, at most (for 64 faces) */
     SP_FOR_CONTACTS,            /* sp_contacts_find's scratch, at most */
     SP_FOR_PLAN,                /* sp_plan's scratch, at most */
-    SP_FOR_LIMIT,               /* sp_limit, at most; exact where the interior points are asked */
+    SP_FOR_LIMIT,               /* sp_limit, at most; exact where interior points find a limit in the plane of a mirror */
     SP_FOR_LIMIT_VERIFY,        /* sp_limit_verify's scratch, at most */
     SP_FOR_SEQUENCE,            /* sp_sequence_open, and all that is ever needed */
     SP_FOR_PROBLEM,             /* sp_problem_build */
@@ -1087,7 +1087,7 @@ typedef struct sp_outlook {
     sp_planned effect[SP_EFFECTS];
     int32_t islands;            /* how many, as sp_islands.count */
     int64_t unknowns, flops, full_unknowns, full_flops;         /* as planned, and with all effects the scene has */
-    size_t bytes, full_bytes;                                   /* likewise, of the arena */
+    size_t bytes, full_bytes;                                   /* of the arena; full: all blocks together */
 } sp_outlook;
 
 /* What will sp_check simulate, what not, and why? settings NULL: the default ones. scratch: sp_memory, SP_FOR_PLAN.
