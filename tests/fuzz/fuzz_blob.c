@@ -25,6 +25,8 @@ static void result(const blob *b)
     void *memory = NULL;
     const uint8_t two[] = { 0 };
     sp_settings set = sp_settings_default();
+    FORGET(room, sizeof room);
+    FORGET(more, sizeof more);
     sp_arena_init(&a, room, sizeof room);
     if (sp_scene_from_bytes(two, 1, &a, &s)) abort();
     if (blob_read_result(b, &s, &r, &cost, &memory) == SP_OK) {

@@ -29,6 +29,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         sp_qp_result r;
         size_t bytes = 0;
         set.iterations = 200;
+        FORGET(room, sizeof room);
+        FORGET(more, sizeof more);
         sp_arena_init(&a, room, sizeof room);
         sp_arena_init(&scratch, more, sizeof more);
         if (!sp_qp_memory(&q.qp, &set, scratch, &bytes) && bytes <= a.capacity &&

@@ -8,8 +8,10 @@ plain='-std=c99 -D_GNU_SOURCE -ffp-contract=off -fno-math-errno -w'
 seeds() {                                               # seeds TARGET: a folder of them, and of what campaigns have kept
     mkdir -p "$out/seeds/$1" "$out/kept/$1"
     case $1 in
-    obj) cp tests/scenes/two-cubes.obj tests/scenes/h-model.obj tests/scenes/arch.obj tests/examples/doorway.json "$out/seeds/obj" \
-             2> /dev/null || : ;;
+    obj) cp tests/scenes/two-cubes.obj tests/scenes/h-model.obj tests/scenes/arch.obj tests/examples/doorway.json \
+             "$out/seeds/obj" 2> /dev/null || :
+         sed '/^#@ interface/d' tests/scenes/two-cubes.obj > "$out/seeds/obj/beside"
+         printf '#beside\n#@ mu 0.5\no b0\n#@ density 2000\n#@ fixed\n' >> "$out/seeds/obj/beside" ;;
     qps) cp tests/fuzz/seeds/qps/* "$out/seeds/qps" ;;
     json) [ ! -x build/stonepack ] ||
               build/stonepack check --json --forces tests/scenes/two-cubes.obj > "$out/seeds/json/two-cubes" || : ;;
@@ -44,8 +46,7 @@ link() {                                                # link TARGET PROGRAM LI
 # fresh OBJECT: is it newer than all of the library?
 fresh() { [ -f "$1" ] && [ -z "$(find stonepack.c stonepack.h solvers -newer "$1" -name '*.[ch]' | head -n 1)" ]; }
 
-# For libFuzzer: sanitized by ASan and clang's UBSan; forgotten, memory that nobody has written, by MSan, for targets that ask the
-# library alone; or optimised.
+# For libFuzzer: sanitized by ASan and clang's UBSan; forgotten, memory that nobody has written, by MSan; or optimised.
 flags() {
     case $1 in
     sanitized) echo '-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' ;;
@@ -54,8 +55,15 @@ flags() {
     esac
 }
 # shellcheck disable=SC2046,SC2086
+library() { fresh "$out/$1.o" || clang $(flags "$1") -fsanitize=fuzzer-no-link $plain -c stonepack.c -o "$out/$1.o"; }
+# libraries TARGET-HOW...: what they need of the library, side by side.
+libraries() {
+    for li_how in sanitized forgotten; do case " $* " in *"-$li_how "*) library $li_how & ;; esac; done
+    wait
+}
+# shellcheck disable=SC2046,SC2086
 guided() {                                              # guided TARGET HOW: build/fuzz/HOW-TARGET
-    fresh "$out/$2.o" || clang $(flags "$2") -fsanitize=fuzzer-no-link $plain -c stonepack.c -o "$out/$2.o"
+    library "$2"
     alone "$1" || program "$out/$2" clang $(flags "$2") -fsanitize=fuzzer-no-link
     link "$1" "$out/$2" "$out/$2.o" '' "$out/$2-$1" clang $(flags "$2") -fsanitize=fuzzer
 }
@@ -63,6 +71,7 @@ guided() {                                              # guided TARGET HOW: bui
 unpack() {
     mkdir -p "$out/kept/$1"
     if [ ! -f "tests/fuzz/kept/$1" ] || [ "$out/kept/$1.done" -nt "tests/fuzz/kept/$1" ]; then return; fi
+    rm -f "$out/kept/$1"/*
     un_n=0
     while read -r un_line; do
         un_n=$((un_n + 1))
