@@ -33,9 +33,9 @@ static void stepped(building *b, int32_t block, sp_presence to)
 static int part_of(const building *b, writing *w, sp_scene *part)
 {
     *w = as_it_is(b->s);
-    int some = 0;
-    for (int32_t k = 0; k < b->s->count.blocks; k++) some |= (w->there[k] = b->there[k]) != SP_ABSENT;
-    return some && written(b->s, w, OTHER, part);
+    int any = 0;
+    for (int32_t k = 0; k < b->s->count.blocks; k++) any |= (w->there[k] = b->there[k]) != SP_ABSENT;
+    return any && written(b->s, w, OTHER, part);
 }
 
 /* The forces of a step, or its motion, as a claim about that scene. */
