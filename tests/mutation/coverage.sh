@@ -4,8 +4,8 @@
 #     coverage.sh [SUITE...]     these suites, else all that need no program
 #
 # A row a folder of solvers/: lines, branch outcomes and MC/DC, that is conditions of && and || shown to decide alone, each as
-# covered/all, but for those that a switch of the build decides. White-box suites include parts of the library: what one of them
-# covers counts as covered.
+# covered/all, but for those that a switch of the build decides. White-box suites include parts of the library, some by parts.h:
+# what one of them covers counts as covered.
 #
 #     OF=proof       this folder alone;  LEFT=1: its conditions that are left, too
 #     LEFT=compare   exit status 1 where conditions are left that left.txt does not argue; tells what it argues and is no longer left
@@ -27,7 +27,8 @@ for s; do stems="$stems X($s)" sources="$sources $(where "$s")"; done
 # The library and what includes parts of it are measured, all else is only compiled.
 for c in $sources; do
     o=$out/$(echo "$c" | tr / _).o
-    if [ "$c" = stonepack.c ] || grep -q '^#include "../../solvers/' "$c"; then how="clang-19 $plain $cover"; else how="gcc $plain -O0"; fi
+    how="gcc $plain -O0"
+    if [ "$c" = stonepack.c ] || grep -qE '^#include "(../../solvers/|parts.h)' "$c"; then how="clang-19 $plain $cover"; fi
     if [ "$c" != tests/run.c ] && [ "$o" -nt "$c" ] && [ -z "$(find solvers stonepack.h tests/test.h tests/*/*.h -newer "$o")" ]; then continue; fi
     printf '%s\0' "$how -DTEST_SUITES='$stems' -c $c -o $o"
 done | xargs -0 -P "$(nproc 2> /dev/null || echo 1)" -I{} sh -c '{}' 2> $out/warnings.txt
