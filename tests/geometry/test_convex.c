@@ -212,6 +212,30 @@ TEST(what_is_not_one_convex_polygon_is_told)
         }
 }
 
+/* A square and a strip: where either is about as narrow as what is left out, all that they share is kept; else a shared edge of
+ * that width is none. */
+TEST(what_is_as_narrow_as_an_edge_itself_is_kept)
+{
+    static const struct { double low, high; int first, kept; } row[] = {
+        { 0, 0.04, 0, 1 }, { 0, 0.04, 1, 1 }, { 0, 1, 0, 1 }, { 0.98, 3, 0, 0 }, { 0.9, 3, 1, 1 }
+    };
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        const sp_real low = R(row[k].low), high = R(row[k].high);
+        sp_real square[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
+        sp_real strip[4][2] = { { 0, low }, { 1, low }, { 1, high }, { 0, high } };
+        test_arena.used = 0;
+        pair *c = open();
+        NEED(c != NULL);
+        clear(c);
+        add(c, row[k].first, 4, square, 0);
+        add(c, !row[k].first, 4, strip, 0);
+        CHECK(sp__convex_run(&c->convex, EPS, R(0.02)));
+        CHECK_INT(c->convex.loops, row[k].kept);
+        const double shared = fmin(1, row[k].high) - row[k].low;
+        if (row[k].kept) CHECK_WITHIN(area(0, c->convex.corners, at_convex, c), shared, TOL(1e-9, 1e-4));
+    }
+}
+
 TEST(too_little_room_is_told_and_nothing_is_written_past_it)
 {
     pair *c = open();
@@ -231,5 +255,6 @@ TEST_LIST(convex)
     RUN(shaken_below_eps_they_still_are)
     RUN(nothing_is_common_beyond_the_tip_of_a_needle)
     RUN(what_is_not_one_convex_polygon_is_told)
+    RUN(what_is_as_narrow_as_an_edge_itself_is_kept)
     RUN(too_little_room_is_told_and_nothing_is_written_past_it)
 TEST_END
