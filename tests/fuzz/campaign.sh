@@ -2,8 +2,8 @@
 # campaign: very many executions of every target, in pieces that add up. Needs clang.
 #
 #     sh tests/fuzz/campaign.sh HOW TARGET      a piece of CAMPAIGN_SECONDS (300) of clock, unless the campaign is whole: libFuzzer,
-#                                               HOW is sanitized (ASan, clang's UBSan), forgotten (MSan; scene, qp) or
-#                                               optimised (-O2, for depth)
+#                                               HOW is sanitized (ASan, clang's UBSan), forgotten (MSan) or optimised
+#                                               (-O2, for depth)
 #                                               MORE=1: a piece although it is whole
 #     sh tests/fuzz/campaign.sh --keep [TARGET...]  the fewest inputs that reach what all of them reached, into tests/fuzz/kept
 #     sh tests/fuzz/campaign.sh --table         what was reached, of which commits
@@ -40,7 +40,7 @@ piece() {                                               # piece HOW TARGET
     mkdir -p "$out/corpus/$2"
     case $1 in optimised) pi_mute=2 ;; *) pi_mute=0 ;; esac    # what refuses says so: gigabytes, optimised; its inputs tell
     pi_log=$out/campaign-$1-$2.log pi_from=$(date +%s) pi_status=0
-    "$out/$1-$2" -max_total_time="${CAMPAIGN_SECONDS:-300}" -runs="$pi_left" -timeout=120 -entropic=0 -rss_limit_mb=3000 \
+    FUZZ_SOME=1 "$out/$1-$2" -max_total_time="${CAMPAIGN_SECONDS:-300}" -runs="$pi_left" -timeout=120 -entropic=0 -rss_limit_mb=3000 \
         -max_len=4000 -print_final_stats=1 -close_fd_mask=$pi_mute -artifact_prefix="$out/campaign-$2-" \
         "$out/corpus/$2" "$out/seeds/$2" "$out/kept/$2" > "$pi_log" 2>&1 || pi_status=$?
     pi_runs=$(awk '/stat::number_of_executed_units/ { n = $2 } /^#[0-9]+/ { m = substr($1, 2) } END { print n ? n : m + 0 }' "$pi_log")
@@ -66,11 +66,8 @@ case ${1:-} in
 --keep) shift
     for t in ${*:-scene qp obj qps json blob}; do keep "$t"; done ;;
 --table)
-    for h in sanitized optimised; do for t in scene qp obj qps json blob; do echo "$t, $h: $(sum $t $h)"; done; done
-    for t in scene qp; do echo "$t, forgotten: $(sum $t forgotten)"; done ;;
-forgotten)
-    case ${2:-} in scene | qp) piece "$1" "$2" ;; *) echo "no target that asks the library alone is called ${2:-}"; exit 1 ;; esac ;;
-sanitized | optimised)
+    for h in sanitized optimised forgotten; do for t in scene qp obj qps json blob; do echo "$t, $h: $(sum $t $h)"; done; done ;;
+sanitized | optimised | forgotten)
     case ${2:-} in scene | qp | obj | qps | json | blob) piece "$1" "$2" ;; *) echo "no target is called ${2:-}"; exit 1 ;; esac ;;
 *) sed -n '2,13s/^# \{0,1\}//p' "$0"; exit 64 ;;
 esac
