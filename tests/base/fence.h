@@ -1,5 +1,6 @@
-/* A fence behind every piece of memory that is taken of an arena: what is written there is seen when the piece goes; built with
- * AddressSanitizer it cannot be read either. To be included before the parts that take. All of it is static. */
+/* A fence behind every piece of memory that is taken of an arena: what is written there is seen when the piece goes. No fence
+ * looks as its neighbours: what was read behind one piece and written behind another is seen, too. Built with AddressSanitizer
+ * it cannot be read either. To be included before the parts that take. All of it is static. */
 #ifndef FENCE_H
 #define FENCE_H
 
@@ -26,13 +27,15 @@ enum { FENCE_WIDTH = 32, FENCE_BYTE = 0xd7, FENCE_MOST = 1024 };
 static unsigned char *fence[FENCE_MOST];                /* standing, lowest first */
 static int fences, broken, built;
 
+static unsigned char fence_byte(int k) { return (unsigned char)(FENCE_BYTE + k); }
+
 static void fences_down(const unsigned char *from)
 {
     while (fences && fence[fences - 1] + FENCE_WIDTH > from) {
         const unsigned char *at = fence[--fences];
         ASAN_UNPOISON_MEMORY_REGION(at, FENCE_WIDTH);
         for (int k = 0; k < FENCE_WIDTH; k++)
-            if (at[k] != FENCE_BYTE) { broken++; break; }
+            if (at[k] != fence_byte(fences)) { broken++; break; }
     }
 }
 
@@ -47,7 +50,7 @@ static void *fenced_take(sp_arena *a, size_t count, size_t size)
     memset(piece, 0x5b, count * size);                  /* nothing may count on zeros */
     if (fences < FENCE_MOST) {
         fence[fences] = piece + count * size;
-        memset(fence[fences], FENCE_BYTE, FENCE_WIDTH);
+        memset(fence[fences], fence_byte(fences), FENCE_WIDTH);
         ASAN_POISON_MEMORY_REGION(fence[fences], FENCE_WIDTH);
         fences++;
         built++;
