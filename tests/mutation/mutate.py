@@ -1,22 +1,22 @@
 #!/usr/bin/env python3
 """mutate: does a test notice when one place of the library is wrong?
 
-    python3 -B tests/mutation/mutate.py [--of proof|verify|limit|core|PATH...] [--sample N [--after N]] [--seed N] [--jobs N] [--guided]
-                                        [--longest MS] [--hashes] [--line FILE:N] [--list] [--table FILE] [--least PERCENT]
-                                        [--kept FILE [--minutes M]]
+    python3 -B tests/mutation/mutate.py [--of proof|verify|limit|small|core|PATH...] [--sample N [--after N]] [--seed N] [--jobs N]
+                                        [--guided] [--longest MS] [--hashes] [--line FILE:N] [--list] [--table FILE]
+                                        [--least PERCENT] [--kept FILE [--minutes M]]
 
 Each mutant is the library with one place changed: a relation, an arithmetic sign, a number, a condition negated, a statement left out.
 It is compiled whole by tcc, else by CC at -O0, linked with the suites, which are compiled once (white-box suites that include the
 changed file anew), and run until a test fails, quick tests first. Tests have SLACK times the processor time they take of the
-unchanged library, so what no longer ends is noticed too; those that take longer than SLOW are not asked. What no test noticed meets
-its white-box suites once more, with sanitizers and a fence behind every piece of memory. `survived` are those that
+unchanged library, so what no longer ends is noticed too; those that take longer than SLOW are not asked [--longest]. What no test
+noticed meets its white-box suites once more, with sanitizers and a fence behind every piece of memory. `survived` are those that
 no test noticed. What changes nothing that anyone could see is listed in equivalents.txt, one line of argument each, and left out.
 
     --after     of a sample, the first N were asked before
     --guided    a suite is asked only where it reaches the changed line, by gcov; it takes minutes to find out which do, and is for
                 large samples of the core
-    --longest   of the core, tests of up to so many milliseconds are asked (50); with more of them and --again the survivors of a
-                first run meet the slower ones, too
+    --longest   tests of up to so many milliseconds are asked (250, of the core 50); with more of them and --again the survivors of
+                a first run meet the slower ones, too
     --hashes    a second score: survivors that the stored hashes of tests/corpus notice
     --kept      what was killed, a line each, is read from it and written to it: a run goes in pieces that add up; survivors are
                 written, too, and asked again by --again alone (killed stays killed while tests are only added)
@@ -24,7 +24,7 @@ no test noticed. What changes nothing that anyone could see is listed in equival
     --table     adds a row for each folder to a CSV: what, mutants, killed, equivalent, invalid
     --least     exit status 1 where fewer per cent are killed
 """
-import argparse, hashlib, json, os, re, resource, shutil, subprocess, sys, time
+import argparse, fcntl, hashlib, json, os, re, resource, shutil, subprocess, sys, time
 from concurrent.futures import ThreadPoolExecutor
 
 HERE = 'tests/mutation/'
@@ -34,6 +34,7 @@ SETS = {
     'proof': ['solvers/proof/*.c'],
     'verify': ['solvers/check/verify.c', 'solvers/strong/strong.c'],
     'limit': ['solvers/limit/*.c'],
+    'small': ['solvers/small/*.c', 'solvers/*/small_*.c'],     # in the build with SP_SMALL
     'core': ['solvers/*/*.c'],
 }
 # Suites by what is changed, quick ones first.
@@ -41,7 +42,7 @@ JUDGES = ['moving', 'scale', 'search', 'forces', 'spin', 'leaf', 'corner', 'refu
           'strong', 'shapes', 'spared', 'attack', 'exact', 'coupled', 'strength', 'closed', 'sliding']
 VERIFIES = ['hint', 'verify', 'islands', 'claims', 'arguments', 'exact', 'memory', 'capacity', 'holds',
             'strong']                                       # of verify alone
-LIMITS = ['ask', 'ends', 'climb', 'moves', 'count', 'limit', 'arguments', 'bracket', 'spent', 'effort', 'sliding']  # of limit alone
+LIMITS = ['asked', 'ask', 'ends', 'climb', 'moves', 'count', 'limit', 'arguments', 'bracket', 'spent', 'effort', 'sliding']  # of limit alone
 FIRST = ('tally', 'count', 'drawn')      # they count work, which hardly any change leaves as it was
 NOT_CORE = ('host', 'settle', 'small')          # of the core all other suites are asked, their quick tests
 # What a survivor is asked by once more, fenced.
@@ -62,9 +63,9 @@ def blank_comments(text):
 
 
 def compiled_lines(path):
-    """Numbers of the lines that the preprocessor keeps in a plain build."""
+    """Numbers of the lines that the preprocessor keeps in the build at hand."""
     keep, file, number = set(), '', 0
-    for line in run(['gcc', '-E', '-std=c99', 'stonepack.c']).stdout.split('\n'):
+    for line in run(['gcc', '-E', *FLAGS, 'stonepack.c']).stdout.split('\n'):
         mark = re.match(r'# (\d+) "([^"]*)"', line)
         if mark:
             number, file = int(mark.group(1)), os.path.normpath(mark.group(2))
@@ -157,9 +158,9 @@ class Kept:
 
 class Suites:
     """Suites, compiled once, and two runners over them: quick tests, then the others that take no more than SLOW."""
-    def __init__(self, names, work, compiler, longest):
-        """longest: tests of up to so many ms are asked, no slower ones; 0: quick ones, then those of up to SLOW."""
-        self.work, self.compiler, self.longest, self.parts, self.objects = work, compiler, longest, {}, {}
+    def __init__(self, names, work, compiler, longest, slow=SLOW):
+        """longest: tests of up to so many ms are asked, no slower ones; 0: quick ones, then those of up to `slow`."""
+        self.work, self.compiler, self.longest, self.slow, self.parts, self.objects = work, compiler, longest, slow, {}, {}
         self.reach, self.took = None, {}
         os.makedirs(work, exist_ok=True)
         where = {re.sub(r'.*/test_(\w+)\.c', r'\1', p): p for p in glob('tests/*/test_*.c')}
@@ -203,7 +204,7 @@ class Suites:
         self.names.sort(key=lambda n: (n not in FIRST, first[n]))
         quick = [t for t, ms in took if ms <= most]
         self.took = {n: first[n] / 1000 for n in self.names if any(t.startswith(n + '/') for t in quick)}
-        slow = [t for t, ms in took if most < ms <= SLOW and not self.longest]
+        slow = [t for t, ms in took if most < ms <= self.slow and not self.longest]
         parts = [(name, which) for name, which in (('quick', quick), ('slow', slow)) if which]
         self.runners = [self.runner(name, [t for t, ms in took if t not in which]) for name, which in parts]
         self.seconds = [sum(ms for t, ms in took if t in which) / 1000 for _, which in parts]
@@ -375,6 +376,20 @@ class Room:
             with open(there, 'w') as f: f.write(text)
 
 
+def alone():
+    """One run at a time has build/mutation of a clone: two would write over each other's trees. The system frees it at the end."""
+    os.makedirs('build/mutation', exist_ok=True)
+    lock = open('build/mutation/lock', 'a+')
+    try: fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        lock.seek(0)
+        sys.exit('mutate.py: process %s asks mutants in this clone already; wait for it, or take a second clone' % lock.read().strip())
+    lock.truncate(0)
+    lock.write('%d\n' % os.getpid())
+    lock.flush()
+    return lock
+
+
 def folder(path):
     return path if path in ('solvers/check/verify.c',) else os.path.dirname(path)
 
@@ -390,7 +405,7 @@ def main():
     say.add_argument('--suites', nargs='+')
     say.add_argument('--hashes', action='store_true')
     say.add_argument('--guided', action='store_true')
-    say.add_argument('--longest', type=int, default=QUICK)
+    say.add_argument('--longest', type=int, default=0)
     say.add_argument('--list', action='store_true')
     say.add_argument('--quiet', action='store_true')
     say.add_argument('--kept')
@@ -400,6 +415,7 @@ def main():
     say.add_argument('--least', type=float, default=0)
     args = say.parse_args()
 
+    if args.of == ['small']: FLAGS.append('-DSP_SMALL')
     files = sorted({f for what in args.of for pattern in SETS.get(what, [what]) for f in glob(pattern)})
     found, known = [m for f in files for m in mutants_of(f)], equivalents()
     if args.line: found = [m for m in found if '%s:%d' % (m[0].replace('solvers/', ''), m[1]) in args.line]
@@ -413,14 +429,16 @@ def main():
         for m in rest: print('%s:%d: %s: %s' % (m[0], m[1], m[2], m[4].strip()))
         return 0
 
-    os.makedirs('build', exist_ok=True)
+    lock = alone()                                      # kept open
     if args.hashes and not os.path.exists('build/scenes.h'):
         with open('build/scenes.h', 'w') as f:
             f.write(run(['awk', '-f', 'tests/corpus/scenes.awk', *glob('tests/scenes/*.obj')]).stdout)
-    compiler = ['tcc'] if shutil.which('tcc') else [os.environ.get('CC', 'gcc'), *FLAGS[1:], '-O0']
+    compiler = ['tcc', *FLAGS[3:]] if shutil.which('tcc') else [os.environ.get('CC', 'gcc'), *FLAGS[1:], '-O0']
     core = [re.sub(r'.*/test_(\w+)\.c', r'\1', p) for p in glob('tests/*/test_*.c') if p.split('/')[1] not in NOT_CORE]
-    those = {'limit': LIMITS, 'verify': VERIFIES, 'core': core}.get(' '.join(args.of), JUDGES)
-    suites = Suites(args.suites or those, 'build/mutation/suites', compiler, args.longest if those is core else 0)
+    small = open('tests/small/suites.txt').read().split()
+    those = {'limit': LIMITS, 'verify': VERIFIES, 'small': small, 'core': core}.get(' '.join(args.of), JUDGES)
+    longest = (args.longest or QUICK) if those is core else 0
+    suites = Suites(args.suites or those, 'build/mutation/suites', compiler, longest, args.longest or SLOW)
     rooms = [Room(k, suites) for k in range(args.jobs)]
     counts = suites.split(rooms[0].build(None)[0]())
     noticed = rooms[0].fenced(files)                    # what is fenced notices nothing by failing always
