@@ -240,6 +240,13 @@ TEST(loads_that_cancel_are_no_size)
         CHECK_WITHIN(L.engine.at, row[k].at, TOL(1e-12, 1e-6));
         CHECK_NEAR(L.bracket.pb.p[2], -(1 + row[k].at) * (double)W, TOL(1e-12, 1e-5));
     }
+    for (int e = 0; e < 6; e++) {                       /* of loads so small, along any axis */
+        for (int q = 0; q < 6; q++) b.dead[q] = b.live[q] = q == e ? R(1e-6) : 0;
+        for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+            sp__limit_loads_sized(&L, R(row[k].a));
+            CHECK_WITHIN(L.engine.at, row[k].at, TOL(1e-12, 1e-6));
+        }
+    }
     whole();
 }
 

@@ -131,14 +131,15 @@ TEST(where_the_best_motion_fell_is_an_upper_end_once)
 
 TEST(what_carries_more_is_the_lower_end)
 {
-    static const double lower[] = { 0.5, 0.3 };
+    static const double lower[] = { 0.5, 0.3, 0.4 };
     const sp_real push[3] = { W, 0, 0 };
     for (int strong = 0; strong < 2; strong++)
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; k < 3; k++) {
             limit(NOTHING, push, &GLUED, R(0.7));
             L->r.lower = R(lower[k]);
             sp__limit_upper_ask(L, R(0.4), strong);
-            CHECK_WITHIN(L->r.lower, strong && k ? 0.4 : lower[k], TOL(1e-12, 1e-6));
+            CHECK_WITHIN(L->r.lower, strong && k == 1 ? 0.4 : lower[k], TOL(1e-12, 1e-6));
+            CHECK((L->r.f[0] > 0) == (strong && k == 1));       /* forces of what was known stay */
             whole();
         }
 }
@@ -150,6 +151,7 @@ TEST(a_large_multiple_shows_that_there_is_no_end)
     static const struct { double lower, tol; int none, kind, glued, up, is; double to; } row[] = {
         { 2001, 2e-5, 0, 0, 1, 0, SP_LIMIT_UNBOUNDED, 16 }, { 2001, 1e-6, 0, 0, 1, 0, SP_LIMIT_UNBOUNDED, 256 },
         { 2001, 1e-9, 0, 0, 1, 0, SP_LIMIT_UNBOUNDED, 16. * 16 * 16 * 16 * 16 }, { 1999, 1e-6, 0, 0, 1, 0, 0, 1 },
+        { 2000, 1e-6, 0, 0, 1, 0, 0, 1 },
         { 2001, 1e-6, 1, 0, 1, 0, 0, 1 }, { 2001, 1e-6, 0, 0, 0, 0, 0, 1 }, { 2001, 1e-6, 0, SP_LIMIT_FOUND, 1, 0, SP_LIMIT_FOUND, 1 },
         { 2001, 1e-6, 0, 0, 1, 1, 0, 16. * 16 * 16 * 16 * 16 }
     };
@@ -245,6 +247,8 @@ TEST(an_interval_is_closed_halved_or_left)
     CHECK_INT(sp__limit_closed(L), 0);
     CHECK_INT(sp__limit_ends_meet(L, 1), 0);
     L->r.lower = 2;                                     /* 0.5 */
+    L->best = SP__HUGE;
+    CHECK_INT(sp__limit_ends_meet(L, 2), 0);
     L->least = R(0.25);
     CHECK_WITHIN(sp__limit_between(L, 2, R(1.2)), 1.2, TOL(1e-12, 1e-6));       /* 0.8 gained, 0.7 left */
     CHECK_INT(L->slow, 0);
@@ -259,6 +263,31 @@ TEST(an_interval_is_closed_halved_or_left)
     CHECK_WITHIN(sp__interior_share(L, 1), 1e-3, TOL(1e-12, 1e-6));
     CHECK_WITHIN(sp__interior_share(L, R(1e-4)), 1e-4, TOL(1e-12, 1e-6));
     whole();
+}
+
+/* Numbers of few bits, so that what is met is met to the last one. low < next < best - step, next >= 0. */
+TEST(a_question_beside_what_was_left_open_lies_between_both_ends)
+{
+    static const struct { double a, open, apart, low, best, step; int is; double next; } row[] = {
+        { 2, 2, 0.25, 0, 10, 0.5, 1, 1.75 },                    /* at what was left open: no farther */
+        { 2.5, 2, 0.25, 0, 10, 0.5, 1, 1.5 },                   /* above: twice as far */
+        { 2.5, 2, 0.5, 1, 10, 0.5, 1, 3 },                      /* 1 is the lower end itself */
+        { 2, 2, 2, -1, 10, 0.5, 1, 0 },                         /* 0 is asked */
+        { 1.75, 2, 0.5, 1.5, 3, 0.5, 0, 1.75 },                 /* 2.5 is best - step */
+        { 1.75, 2, 0.5, 1.5, 2.75, 0.5, 0, 1.75 },              /* and beyond */
+        { 2, 2, 0.125, 0, 2.125, 0.5, 0, 2 }                    /* twice on each side */
+    };
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        sp__aside o = { R(row[k].open), R(row[k].apart) };
+        sp_real a = R(row[k].a);
+        limit(NOTHING, UP, NULL, 4);
+        L->best = R(row[k].best);
+        L->r.lower = -1;
+        L->least = R(row[k].low);
+        CHECK_INT(sp__limit_aside(L, &o, R(row[k].step), &a), row[k].is);
+        CHECK_WITHIN(a, row[k].next, 0);
+        whole();
+    }
 }
 
 /* After forces that carry a, halfway to the best motion's balance where the last collapse gained little, else a step below it. */
@@ -284,6 +313,13 @@ TEST(what_stands_is_followed_by_the_next_question)
         a = R(1.4);                                     /* beside it: now above */
         CHECK_INT(sp__limit_onwards(L, &o, R(0.1), &a), 1);
         CHECK_WITHIN(a, 1.6, TOL(1e-12, 1e-6));
+        o.open = a = R(1.5);                            /* at it: onwards */
+        CHECK_INT(sp__limit_onwards(L, &o, R(0.1), &a), 1);
+        CHECK_WITHIN(a, 1.9, TOL(1e-12, 1e-6));
+        a = R(1.75);                                    /* two steps are as narrow as it gets */
+        CHECK_INT(sp__limit_onwards(L, &o, R(0.125), &a), 0);
+        a = R(1.7);
+        CHECK_INT(sp__limit_onwards(L, &o, R(0.125), &a), 1);
     }
     whole();
 }
@@ -298,13 +334,14 @@ TEST(two_motions_prove_that_no_multiple_stands)
         for (int e = 0; e < 6; e++) L->lower[e] = L->upper[e] = 0;
         L->lower[0] = 3;
         L->upper[2] = 5;
-        L->best = 1;
-        L->least = k == 4 ? R(0.5) : 2;
+        L->best = 3;
+        L->least = k == 4 ? R(2.5) : 5;
         CHECK_INT(sp__limit_never_stands(L), k == 0);
         CHECK_INT(L->none, k == 0);
-        /* 1 / W and 1 / lift, of that a share (2 - 1) / (2 + 2) more */
+        /* 1 / W and 1 / lift, of that a share (5 - 3) / (2 + 2 3) more; where they are no two such motions nothing is tried */
         if (k == 0) CHECK_NEAR(L->bracket.dq[0] / L->bracket.dq[2], 0.4, TOL(1e-9, 1e-5));
         if (k == 1) for (int e = 0; e < 6; e++) CHECK_NEAR(L->bracket.dq[e], L->upper[e], 0);
+        if (k > 1) CHECK_WITHIN(L->bracket.dq[2], 0, 0);
         whole();
     }
 }
@@ -438,6 +475,7 @@ TEST_LIST(ends)
     RUN(the_motion_at_hand_stays_where_there_is_an_end)
     RUN(a_question_left_open_is_asked_on_both_sides)
     RUN(an_interval_is_closed_halved_or_left)
+    RUN(a_question_beside_what_was_left_open_lies_between_both_ends)
     RUN(what_stands_is_followed_by_the_next_question)
     RUN(two_motions_prove_that_no_multiple_stands)
     RUN(live_loads_alone_tell_of_an_end)

@@ -136,6 +136,43 @@ TEST(how_far_a_support_lies_away_is_no_matter)
         }
 }
 
+/* About an axis through the corner (1/2, 1/2), across the diagonal: the three others open. */
+TEST(a_corner_that_stays_in_touch_is_both_ends_of_its_hinge)
+{
+    const double turn = 0.01;
+    sp_real dq[12] = { 0 };
+    sp_joint_motion m;
+    pair();
+    const sp_real *at = s.block[1].centroid;
+    const double arm[3] = { (double)at[0] - 0.5, (double)at[1] - 0.5, (double)at[2] };
+    dq[9] = R(-turn);
+    dq[10] = R(turn);
+    dq[6] = R(turn * arm[2]);                           /* w x (centroid - corner) */
+    dq[7] = R(turn * arm[2]);
+    dq[8] = R(-turn * (arm[0] + arm[1]));
+    CHECK_INT(sp_joint_moves(&s, dq, 0, &m), SP_OK);
+    CHECK_INT(m.kind, SP_JOINT_HINGE);
+    CHECK_WITHIN(m.opening, 2 * turn, TOL(1e-9, 1e-6));
+    for (int e = 0; e < 2; e++) {
+        CHECK_NEAR(m.a[e], 0.5, TOL(1e-12, 1e-6));
+        CHECK_NEAR(m.b[e], 0.5, TOL(1e-12, 1e-6));
+    }
+}
+
+/* What is play is measured by the block that moves: its corners' distance from its centroid. */
+TEST(a_support_adds_no_play)
+{
+    for (int more = 0; more < 2 && sizeof(sp_real) > 4; more++) {
+        sp_real dq[12] = { 0 };
+        sp_joint_motion m;
+        pair();
+        s.block[0].fixed = SP_FIXED;
+        dq[6] = R(PLAY * sqrt(0.5 + 0.25) * (more ? 1.01 : 0.99));
+        CHECK_INT(sp_joint_moves(&s, dq, 0, &m), SP_OK);
+        CHECK_INT(m.kind, more ? SP_JOINT_SLIDING : SP_JOINT_RIGID);
+    }
+}
+
 #endif
 
 TEST_LIST(moves)
@@ -144,5 +181,7 @@ TEST_LIST(moves)
     RUN(sliding_ends_where_a_corner_opens_by_more_than_friction_rises_and_play)
     RUN(an_edge_that_stays_in_touch_is_a_hinge)
     RUN(how_far_a_support_lies_away_is_no_matter)
+    RUN(a_corner_that_stays_in_touch_is_both_ends_of_its_hinge)
+    RUN(a_support_adds_no_play)
 #endif
 TEST_END
