@@ -461,6 +461,65 @@ TEST(one_block_alone_is_a_scene)
     whole();
 }
 
+/* What a result does not prove is 0 to the last bit: a motion where there is no upper end, a ray where there is one. */
+TEST(what_is_not_proved_is_nothing)
+{
+    const sp_real down[3] = { 0, 0, R(-2) * W }, none[3] = { 0, 0, 0 };
+    for (int k = 0; k < 3; k++) {
+        sp_limit_result x;
+        cube(NOTHING, k == 0 ? down : k == 1 ? UP : none, 0, NULL);
+        CHECK_INT(sp_limit(&s, &set, &test_arena, &x), SP_OK);
+        CHECK_INT(x.kind, k == 1 ? SP_LIMIT_FOUND : SP_LIMIT_UNBOUNDED);
+        for (int e = 0; e < 12; e++) CHECK_WITHIN(k == 1 ? x.ray[e] : x.dq[e], 0, 0);
+    }
+    fences_down(NULL);
+    broken = built = 0;
+}
+
+/* A motion of rates dq ends at a + (what resists - its work under dead + a live) / that of live, and tol adds tol size / it. */
+static void bound(const sp_real dead[3], const sp_real live[3], const double dq[3], sp_real a)
+{
+    sp_real y[6];
+    limit(dead, live, NULL, R(0.1));
+    sp_arena room = test_arena;
+    CHECK_INT(sp__limit_open(L, &room), SP_OK);
+    const sp__system *w = L->engine.w;
+    sp__limit_loads(L, a);
+    L->best = SP__HUGE;
+    L->slack = 0;
+    L->none = 0;
+    for (int k = 0; k < 6; k++) y[k] = k < 3 ? R(-dq[k]) / w->measure.weight[0] : 0;
+    sp__reduction_from_space(L->engine.reduction, 1, y);
+    sp__limit_candidate(L, y);
+}
+
+TEST(a_motion_bounds_the_multiple_by_its_power)
+{
+    const double up[3] = { 0, 0, 1 }, climb[3] = { 1, 0, 0.5 }, sink[3] = { 0, 0, -1 };
+    const sp_real drag[3] = { 2 * W, 0, 0 }, nudge[3] = { R(0.4) * W, 0, 0 }, side[3] = { 0, W, 0 };
+    for (int k = 0; k < 3; k++) {
+        bound(NOTHING, UP, up, R(0.5) * (sp_real)k);
+        CHECK_WITHIN(L->best, 1, TOL(1e-12, 1e-6));
+        CHECK_INT(L->none, 0);
+        CHECK_WITHIN(L->bracket.dq[2], 1, TOL(1e-12, 1e-6));
+        const sp__system *w = L->engine.w;
+        CHECK_NEAR(L->slack, L->bracket.set.tol * w->measure.size[0] * w->measure.unit / W, TOL(1e-9, 1e-5));
+    }
+    bound(NOTHING, UP, climb, 0);                       /* friction 1/2: no contact resists */
+    CHECK_WITHIN(L->best, 1, TOL(1e-9, 1e-5));
+    bound(NOTHING, UP, sink, 0);                        /* live loads hinder it */
+    CHECK(L->best >= SP__HUGE && !L->none);
+    for (int k = 0; k < 2; k++) {                       /* they do nothing in it: W / 2 of drag is held */
+        bound(k ? nudge : drag, side, climb, R(0.5));
+        CHECK_INT(L->none, !k);
+        if (k) CHECK(L->best >= SP__HUGE);
+        else CHECK_WITHIN(L->best, -1, 0);
+        CHECK_WITHIN(L->slack, 0, 0);
+    }
+    fences_down(NULL);
+    broken = built = 0;
+}
+
 #endif
 
 TEST_LIST(ends)
@@ -483,5 +542,7 @@ TEST_LIST(ends)
     RUN(a_claim_is_judged_in_the_memory_that_was_told)
     RUN(a_limit_takes_the_memory_that_was_told)
     RUN(one_block_alone_is_a_scene)
+    RUN(what_is_not_proved_is_nothing)
+    RUN(a_motion_bounds_the_multiple_by_its_power)
 #endif
 TEST_END
