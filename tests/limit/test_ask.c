@@ -200,6 +200,48 @@ TEST(a_question_takes_what_it_costs)
     }
 }
 
+/* What flops or iterations end is told as a spent budget where there is one. */
+TEST(a_question_that_a_budget_ends_has_spent_it)
+{
+    const sp_real push[3] = { R(0.6) * W, 0, 0 };
+    for (int k = 0; k < 4; k++) {
+        cube(NOTHING, push, R(-0.5), NULL);
+        set.budget = k < 3 ? k : INT64_MAX / 8;
+        open();
+        sp_real *f = fenced_take(&test_arena, 12, sizeof *f);
+        g.rest = test_arena;
+        if (k < 3) b.limit = b.cost.flops + 80 * SP__FLOPS_CERTIFICATE * (int64_t)b.pb.points + 1;
+        else g.n.left = 0;                              /* no iteration left */
+        CHECK_INT(sp__engine_ask(&g, &b, 1, 1, f), SP_UNDECIDED);
+        CHECK_INT(b.spent, k > 0);
+        whole();
+    }
+}
+
+/* A cube is pushed at its foot, friction 1/2: by 2/5 of its weight it stands, by 3/5 it slides. */
+TEST(a_whole_check_begins_at_rest_with_all_iterations)
+{
+    for (int k = 0; k < 6; k++) {
+        const int all = k & 1, falls = k >= 2, spent = k >= 4;
+        const sp_real push[3] = { (falls ? R(0.6) : R(0.4)) * W, 0, 0 };
+        cube(NOTHING, push, R(-0.5), NULL);
+        open();
+        sp_real *f = fenced_take(&test_arena, 12, sizeof *f), sum = 0;
+        g.rest = test_arena;
+        g.n.left = g.most = 1;
+        for (int e = 0; e < 6; e++) b.dq[e] = 7;
+        if (spent) b.limit = b.cost.flops + 80 * SP__FLOPS_CERTIFICATE * (int64_t)b.pb.points;
+        CHECK_INT(sp__engine_check(&g, &b, 1, all, f), !falls);
+        CHECK_INT(g.n.left, b.wide.iterations);
+        CHECK_INT(g.most, b.wide.iterations);
+        for (int v = 0; v < 4; v++) sum += f[3 * v];
+        if (!falls) CHECK_NEAR(sum, W, TOL(1e-6, 1e-3));
+        if (falls && !spent) CHECK(b.dq[0] > 0 && b.cost.factorisations > 0);
+        for (int e = 0; e < 6 && spent; e++) CHECK_WITHIN(b.dq[e], 0, 0);
+        whole();
+    }
+}
+
 /* Under 1e10 times its weight a cube's own is what is dropped, with forces along the joint of less than 1e-5 of the largest. */
 TEST(forces_of_a_large_multiple_balance_live_loads_alone_without_the_tiny_ones)
 {
@@ -264,6 +306,8 @@ TEST_LIST(ask)
     RUN(the_reference_is_where_dead_and_live_loads_are_of_one_size)
     RUN(gates_start_from_no_forces_with_what_is_left)
     RUN(a_question_takes_what_it_costs)
+    RUN(a_question_that_a_budget_ends_has_spent_it)
+    RUN(a_whole_check_begins_at_rest_with_all_iterations)
     RUN(forces_of_a_large_multiple_balance_live_loads_alone_without_the_tiny_ones)
     RUN(loads_that_cancel_are_no_size)
 #endif
