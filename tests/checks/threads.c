@@ -1,6 +1,6 @@
-/* threads: two threads ask the same questions of the same scenes at once, each in an arena of its own, and two share the tasks of
- * a factor. Their answers are those of one thread, bit by bit; ThreadSanitizer looks on [check.sh, sanitizers]. With -DPLANTED
- * they share an arena, which it must see. */
+/* threads: two threads ask the same questions of the same scenes at once, each in an arena of its own, build orders among them,
+ * and two share the tasks of a factor. Their answers are those of one thread, bit by bit; ThreadSanitizer looks on [check.sh,
+ * sanitizers]. With -DPLANTED they share an arena, which it must see. */
 #define _POSIX_C_SOURCE 200809L
 #include "../../port/host/command/jobs.h"
 #include "../scenes/gen.h"
@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { BYTES = 8 << 20, SCENES = 6, QUESTIONS = 4 };
+enum { BYTES = 8 << 20, SCENES = 6, BLOCKS = 6, QUESTIONS = 5 };
 
 static const char *const name[SCENES] = { "arch", "two-cubes", "h-model", "incline", "wall", "keystone" };
 static uint64_t room[BYTES / 8], own[3][BYTES / 8];
@@ -62,10 +62,36 @@ static void ask(answers *w, int k)
     w->sum[k][3] = sum_of(s, limit.f, limit.dq, (int32_t)limit.kind);
 }
 
+/* A build order, of the calls that Python makes in one: each block comes and goes again, what must be held, what comes next. */
+static void build(answers *w, int k)
+{
+    const sp_scene *s = &scene[k];
+    sp_settings set = sp_settings_default();
+    sp_sequence *order;
+    sp_suggestion next;
+    sp_held held;
+    sp_step step;
+    sp_arena fresh, *a = &fresh;
+#ifdef PLANTED
+    a = &shared;
+#else
+    sp_arena_init(a, w->memory, BYTES);
+#endif
+    set.budget = 2000000;
+    if (sp_sequence_open(s, &set, a, &order) != SP_OK) { w->failed = 1; return; }
+    for (int32_t block = 0; block < s->count.blocks && block < BLOCKS; block++)
+        for (int turn = 0; turn < 3; turn++) {
+            if (sp_sequence_set(order, block, turn % 2 ? SP_ABSENT : SP_PRESENT, &step) != SP_OK) { w->failed = 1; return; }
+            w->sum[k][4] = fnv(w->sum[k][4], &step.verdict, sizeof step.verdict) ^ sum_of(s, step.f, step.dq, step.block);
+        }
+    if (sp_sequence_hold(order, 2000000, &held) != SP_OK || sp_sequence_suggest(order, 1, 2000000, &next) != SP_OK) w->failed = 1;
+    else w->sum[k][4] = fnv(w->sum[k][4], &held.count, sizeof held.count) ^ (uint64_t)next.block;
+}
+
 static void *ask_all(void *p)
 {
     answers *const w = p;
-    for (int k = 0; k < SCENES; k++) ask(w, k);
+    for (int k = 0; k < SCENES; k++) { ask(w, k); build(w, k); }
     return NULL;
 }
 
