@@ -1,7 +1,6 @@
 /* Frama-C Eva: memory, indices and kernels at capacities that are given, of any numbers at all. */
 #include "eva.h"
 #include "../../solvers/base/words.c"
-#include "../../solvers/base/groups.c"
 #include "../../solvers/linear/csc.c"
 #include "../../solvers/linear/chol.c"
 #include "../../solvers/cone/pyramids.c"
@@ -51,6 +50,16 @@ void eva_sort(void)
     }
 }
 
+/* Nor of any count up to MANY. */
+enum { MANY = 1000 };
+void eva_sort_many(void)
+{
+    static int32_t p[MANY];
+    const int32_t n = any_whole(0, MANY);
+    for (int32_t k = 0; k < n; k++) p[k] = k;
+    sp__sort(p, n, before, p);
+}
+
 /* Rows of free blocks among the blocks of a scene. */
 void eva_rows(void)
 {
@@ -72,13 +81,16 @@ void eva_pyramids(void)
     if (k < K) sp__pyramid_direction(K, k, d);
 }
 
-static sp_real A[N * (N + 1) / 2], x[N];
+enum { SMALL = 8, LARGE = 24 };
+static sp_real A[LARGE * (LARGE + 1) / 2], x[LARGE];
 
+/* Of up to SMALL rows, and of LARGE. */
 void eva_chol(void)
 {
-    for (int32_t n = 0; n <= N; n++) {
-        any_numbers(A, N * (N + 1) / 2);
-        any_numbers(x, N);
+    for (int32_t k = 0; k <= SMALL + 1; k++) {
+        const int32_t n = k > SMALL ? LARGE : k;
+        any_numbers(A, LARGE * (LARGE + 1) / 2);
+        any_numbers(x, LARGE);
         sp__chol_factor(A, n, any());
         sp__chol_solve(A, n, x);
     }

@@ -17,7 +17,7 @@ static sp_real any(void)
 static int32_t any_whole(int32_t low, int32_t high) { return Frama_C_interval(low, high); }
 static void any_numbers(sp_real *x, int n) { for (int k = 0; k < n; k++) x[k] = any(); }
 
-static union { sp_real aligned; unsigned char byte[65536]; } memory;
+static union { sp_real aligned; unsigned char byte[1 << 20]; } memory;
 
 static sp_arena memory_of(size_t from)
 {

@@ -1,7 +1,7 @@
 /* Frama-C Eva: the certificate check with any numbers at all, NaN and infinities among them, of a scene whose structure is
  * given: two free blocks, one joint between them of two points, one to the ground of two, one block held in some directions.
  * A proof is any nodes, rows and multipliers, at most NODES and ENTRIES. Asked is memory: indices, what is uninitialised,
- * overflow of whole numbers. */
+ * overflow of whole numbers. What needs no such structure is asked at its capacity by wide.c. */
 #define EVA_PIECES
 #include "eva.h"
 #include "../../solvers/base/words.c"
@@ -10,14 +10,14 @@
 #include "../../solvers/proof/still.c"
 #include "../../solvers/proof/sliding.c"
 
-enum { BLOCKS = 2, JOINTS = 2, POINTS = 4, NODES = 28, ENTRIES = 64, LEAF = 6, FEW = 8, SWEEPS = 6 };
+enum { BLOCKS = 2, JOINTS = 2, POINTS = 4, NODES = 28, ENTRIES = 64, FEW = 8, SWEEPS = 6 };
 
 static sp_block block[BLOCKS + 1];
 static sp_joint joint[JOINTS];
 static sp_real point[POINTS][3], local[POINTS][3];
 static int32_t number[BLOCKS] = { 1, 2 };
 static sp_contact contact[JOINTS];
-static sp_real loads[6 * BLOCKS], f[3 * POINTS], dq[6 * (BLOCKS + 1)], alpha[POINTS], spare[3 * POINTS];
+static sp_real loads[6 * BLOCKS], f[3 * POINTS], dq[6 * (BLOCKS + 1)], alpha[POINTS];
 static sp_scene scene;
 static sp_problem pb;
 static sp_settings set;
@@ -88,32 +88,7 @@ static void opened(int32_t faces, sp_arena *a)
     judge.force_cap = any();
 }
 
-/* The scales themselves, from a hint of any numbers and without one. */
-void eva_scale(void)
-{
-    static sp_real hint[12 * BLOCKS];
-    sp_arena a = memory_of(0);
-    make(0);
-    any_numbers(hint, 12 * BLOCKS);
-    sp__certifier_open(&judge, &pb, &set, any_whole(0, 1) ? hint : NULL, SWEEPS, &a);
-}
-
-/* Forces, motions, pressure. */
-static void forces(int32_t faces)
-{
-    int32_t final;
-    sp_arena a = memory_of(0);
-    opened(faces, &a);
-    sp__certify_forces(&judge, f, spare);
-    sp__certify_mechanism(&judge, dq, 0, &final);
-    sp__motion_write(&judge, dq);
-    sp__certify_pressure(&judge, f, spare);
-}
-
-void eva_forces(void) { forces(0); }
-void eva_forces_faces(void) { forces(3); }
-
-/* Triples. */
+/* Triples, whose blocks lose a spin about a line. */
 void eva_triple(void)
 {
     sp_arena a = memory_of(0);
@@ -121,39 +96,6 @@ void eva_triple(void)
     const sp__lengths k = sp__coupled_lengths(&pb, &set);
     sp__certify_coupled(&judge, &k, f, dq, alpha);
 }
-
-/* What slides, what moves from rest. */
-void eva_moving(void)
-{
-    sp_real share, moves;
-    sp_arena a = memory_of(0);
-    opened(0, &a);
-    sp__certify_sliding(&judge, loads, f, dq, &share);
-    sp__certify_moving(&judge, inertia, f, dq, 1, &moves);
-}
-
-/* One leaf of a refutation in any states, any rows. */
-static void refute_leaf(int32_t faces)
-{
-    sp_arena a = memory_of(0);
-    static sp__refute w;
-    opened(faces, &a);
-    const sp__lengths k = sp__coupled_lengths(&pb, &set);
-    sp__refute_carve(&w, POINTS, BLOCKS, &a);
-    w.j = &judge; w.k = &k; w.proof = &proof;
-    for (int v = 0; v < POINTS; v++) {
-        w.contact[v] = v / 2; w.at[v] = v;
-        w.state[v] = any_whole(0, (1 << 27) - 1);
-        w.F[v] = any(); w.any_friction[v] = any();
-    }
-    any_numbers(w.reach, 6 * BLOCKS);
-    w.total = any(); w.slack_of_work = any();
-    sp__refute_leaf(&w, 0, LEAF);
-}
-
-void eva_refute(void) { refute_leaf(0); }
-void eva_refute_exact(void) { refute_leaf(8); }
-void eva_refute_faces(void) { refute_leaf(64); }
 
 /* A walk of any tree of cases of one vertex: NODES hold its deepest, 26 splits and a leaf, and one more. */
 void eva_refute_walk(void)
@@ -179,24 +121,6 @@ void eva_refute_whole(void)
     opened(0, &a);
     const sp__lengths k = sp__coupled_lengths(&pb, &set);
     if (proof.nodes <= FEW) sp__certify_refutation(&judge, &k, &proof, &a);
-}
-
-/* Of a proof that nothing moves. */
-void eva_still(void)
-{
-    sp_arena a = memory_of(0);
-    static sp__still w;
-    opened(0, &a);
-    sp__still_carve(&w, POINTS, BLOCKS, &a);
-    w.j = &judge; w.M = inertia; w.proof = &proof;
-    for (int v = 0; v < POINTS; v++) {
-        w.contact[v] = v / 2; w.at[v] = v;
-        w.state[v] = any_whole(0, 2 * SP__STILL_DEEP - 1);
-    }
-    w.delta = any();
-    sp__still_delta(&judge, inertia);
-    sp__still_reach(&w);
-    sp__still_leaf(&w, 0, LEAF);
 }
 
 /* A walk of any tree of cases of one corner: its deepest is 12 splits and a leaf. */
