@@ -242,6 +242,36 @@ TEST(what_plainly_stands_is_never_refuted)
     CHECK_INT(decided(&s, &set, &r), SP_COUPLING_COUPLED);
 }
 
+/* 16 faces around the cone make friction 1.02 of itself: the block jams from mu = 0.84 on. */
+TEST(a_squeezed_block_is_refuted_by_a_pyramid_of_16_faces)
+{
+    for (int k = 0; k < TOL(2, 1); k++) {
+        sp_settings set = coupled(100, 1);
+        sp_scene s;
+        sp_result r;
+        test_arena.used = 0;
+        set.faces = 16;
+        set.inscribed = !k;
+        set.budget = TOL(0, 5000000);
+        squeeze(0.42, 0.8, &s);
+        CHECK(refuted(decided(&s, &set, &r)));
+    }
+}
+
+/* Where eta is less than the least slip there is nothing rubs: on a slope of 20 degrees no triple balances, on the level one does. */
+TEST(what_must_rub_needs_room_to_slip)
+{
+    for (int k = 0; k < 4; k++) {
+        sp_settings set = coupled(k & 1 ? 1e-7 : 10, 0);
+        sp_scene s;
+        sp_result r;
+        test_arena.used = 0;
+        set.budget = 2000000;                           /* forests need no search, and it finds nothing */
+        build(k & 2 ? "incline" : "two-cubes", k & 2 ? "angle" : NULL, 20, 0.84, &s);
+        CHECK_INT(decided(&s, &set, &r) == SP_COUPLING_COUPLED, k < 3);
+    }
+}
+
 /* ------------------------------------------------------------------------------------------------------- false proofs */
 
 enum { NODES = 4000, ENTRIES = 80000 };
@@ -392,6 +422,8 @@ TEST_LIST(exact)
     RUN(a_triple_beside_a_point_of_friction_without_slip_is_found)
     RUN(the_cases_of_a_squeezed_block_are_closed_by_multipliers_that_prove_it)
     RUN(what_plainly_stands_is_never_refuted)
+    RUN(a_squeezed_block_is_refuted_by_a_pyramid_of_16_faces)
+    RUN(what_must_rub_needs_room_to_slip)
     RUN(a_proof_holds_for_its_own_question_only)
     RUN(a_proof_with_a_part_missing_or_changed_is_none)
     RUN(one_line_is_no_proof)

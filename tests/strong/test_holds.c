@@ -560,6 +560,25 @@ TEST(every_pointer_that_is_missing_is_told)
     CHECK_INT(sp_strong(&s, NULL, NULL, rest, NULL, &a, NULL), SP_E_ARGUMENT);
 }
 
+/* Not in float, whose rounding closes none. */
+TEST(cases_are_told_apart_of_few_corners_and_blocks)
+{
+    static const struct { int joints, blocks, few; } row[] = {
+        { 1, 1, 1 }, { 0, 1, 0 }, { 1, SP__STILL_POINTS, 1 }, { 1, SP__STILL_POINTS + 1, 0 }, { 4, 4, 1 }, { 5, 4, 0 }
+    };
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        const sp_capacity cap = { 2, 0, 0, 0, 5, 20, 0 };
+        const sp_real at[3] = { 0, 0, 0 }, foot[12] = { 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0 };
+        const sp_strength rough = sp_strength_friction(R(0.5));
+        sp_scene s;
+        test_arena.used = 0;
+        CHECK_INT(sp_scene_create(&s, &cap, &test_arena), SP_OK);
+        for (int b = 0; b < 2; b++) CHECK_INT(sp_scene_body(&s, 1, at, 0, NULL), SP_OK);
+        for (int i = 0; i < row[k].joints; i++) CHECK_INT(sp_scene_joint(&s, 0, 1, 4, foot, &rough, NULL), SP_OK);
+        CHECK_INT(sp__cases_allowed(&s, row[k].blocks), row[k].few && TOL(1, 0));
+    }
+}
+
 #endif
 
 TEST_LIST(holds)
@@ -570,6 +589,7 @@ TEST_LIST(holds)
     RUN(a_motion_that_is_out_by_tol_is_taken_and_by_more_is_not)
     RUN(what_moves_by_a_thousandth_moves_and_by_less_does_not)
     RUN(a_proof_of_one_case_is_a_proof)
+    RUN(cases_are_told_apart_of_few_corners_and_blocks)
     RUN(a_joint_of_two_points_or_more_spins_unless_both_its_blocks_are_held_about_all_axes_of_its_normal)
     RUN(room_behind_the_problem_is_the_most_that_one_step_asks_for)
     RUN(where_there_are_too_many_corners_there_is_no_proof_whatever_was_there_before)
