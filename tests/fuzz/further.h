@@ -146,16 +146,17 @@ static sp_scene shaken_of(const sp_scene *s)
     return out;
 }
 
-/* A little less than the limit stands, a little more falls, turned and in another order, too. */
+/* A little less than the limit stands, a little more falls, turned and in another order, too; by more than it may be off. */
 static void near_the_limit(const sp_scene *of)
 {
-    const double distance[4] = { 1e-2, 1e-3, 1e-4, 1e-5 }, off = distance[draw(4)];
+    const double distance[4] = { 1e-2, 1e-4, 1e-6, 1e-7 }, off = distance[draw(4)];
     const int above = (int)draw(2);
     sp_settings set = sp_settings_default();
     sp_limit_result l;
     sp_scene s = shaken_of(of), other;
     sp_result r, again;
     if (!limit_of(&s, &set, &l) || l.kind != SP_LIMIT_FOUND || l.dead != SP_STABLE || !(l.lower > (sp_real)1e-3)) return;
+    if (off * (double)l.lower < 4 * (double)l.within + 1e-8 * (1 + (double)l.upper)) return;
     asked(NEAR_LIMIT);
     s.live = above ? l.upper * (sp_real)(1 + off) : l.lower * (sp_real)(1 - off);
     check_in(&s, &set, CHECK_OTHER, ROOM, &r);
