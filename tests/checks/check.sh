@@ -608,11 +608,6 @@ check_long() {
 }
 
 # ------------------------------------------------------------------------------------------------------------- the rest
-cppcheck_run() {
-    cppcheck -q --std=c99 --error-exitcode=1 --inline-suppr --enable=warning,portability \
-        --suppress=missingInclude --suppress=missingIncludeSystem \
-        --suppress=uninitStructMember --suppress=ctuArrayIndex --suppress=ctuuninitvar stonepack.c   # wrong: structs filled by calls
-}
 # Solvers of others: what make found of them (PLUGINS, PLUG_C, PLUG_L).
 warn_plugins() {                                        # warn_plugins COMPILER DIRECTORY
     for wp_real in '' -DSP_REAL_FLOAT; do
@@ -646,8 +641,9 @@ check_plugins() {
 
 check_static() {
     part "gcc -fanalyzer: quadratic programs" sh tests/checks/analyze.sh gcc -DSP_QP_ONLY
-    if have clang-tidy; then part "clang-tidy: double, float, SP_SMALL" sh tests/checks/analyze.sh clang-tidy; else skip "clang-tidy" clang-tidy; fi
-    if have cppcheck; then part "cppcheck" cppcheck_run; else skip "cppcheck" cppcheck; fi
+    part "gcc -fanalyzer: the program" sh tests/checks/analyze.sh gcc-program
+    if have clang-tidy; then part "clang-tidy: double, float, SP_SMALL; the program, settle" sh tests/checks/analyze.sh clang-tidy; else skip "clang-tidy" clang-tidy; fi
+    if have cppcheck; then part "cppcheck: library, program, settle" sh tests/checks/analyze.sh cppcheck; else skip "cppcheck" cppcheck; fi
     part "TRUST.md has a row of all that runs" sh tests/checks/trust.sh --compare
 }
 # ---------------------------------------------------------------------------------------------------------------- settle

@@ -40,7 +40,8 @@ static void set_distances(sweep *w, double own, double smallest)
     int before = 1;
     w->rows = 0;
     for (int k = 0; k < GRID; k++) {
-        const double share = finest * pow(10, k / 2) * (k % 2 ? 3 : 1);
+        const int tens = k / 2;
+        const double share = finest * pow(10, tens) * (k % 2 ? 3 : 1);
         const int same = fabs(share - own) <= 1e-6 * own;
         if (before && own < share && !same) add_row(w, own, smallest, 1);
         if (same || own < share) before = 0;

@@ -127,7 +127,7 @@ static void table_cell(FILE *out, const cost_table *t, const cost_row *r)
 /* Share of the friction that a pyramid takes away or adds. */
 static double friction_gained(const char *cone)
 {
-    const int faces = atoi(cone);
+    const int faces = (int)strtol(cone, NULL, 10);
     const double c = faces ? cos(3.14159265358979323846 / faces) : 1;
     return cone[strlen(cone) - 1] == 'i' ? c - 1 : 1 / c - 1;
 }

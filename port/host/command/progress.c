@@ -51,7 +51,7 @@ static void watch_step(void *self, sp_stage_id stage, const sp_cost *cost)
     w->factorisations = cost->factorisations;
     if (t - w->since < LONG_WORK || t - w->last < OFTEN) return;
     w->last = t;
-    const long n = (long)(w->before + w->factorisations);
+    const long n = (long)w->before + w->factorisations;
     progress_show("%s: %s, %ld factorisation%s, %.1f s ...", w->what, w->stage, n, n == 1 ? "" : "s", t - w->since);
 }
 

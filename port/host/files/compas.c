@@ -359,8 +359,8 @@ static int put_solid(reader *r, const json_value *from, const char *name, int he
         status = put(r, from, "v %.17g %.17g %.17g\n", s.xyz[v][0], s.xyz[v][1], s.xyz[v][2]);
     for (int32_t i = 0; i < s.faces && !status; i++) {
         const int32_t n = s.face[i + 1] - s.face[i], *c = s.corner + s.face[i];
-        if (!status) status = put(r, from, "f");
-        for (int32_t q = 0; q < n && !status; q++) status = put(r, from, " %ld", (long)(s.before + c[q] + 1));
+        status = put(r, from, "f");
+        for (int32_t q = 0; q < n && !status; q++) status = put(r, from, " %ld", (long)s.before + c[q] + 1);
         if (!status) status = put(r, from, "\n");
     }
     return status;

@@ -11,7 +11,7 @@
 static size_t row_of(const char *s, size_t letters)
 {
     size_t n = 0, blank = 0;
-    for (; s[n] && n <= letters; n++) if (s[n] == ' ') blank = n;
+    for (; n <= letters && s[n]; n++) if (s[n] == ' ') blank = n;
     return s[n] && blank ? blank : strlen(s);
 }
 

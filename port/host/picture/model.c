@@ -33,7 +33,7 @@ static void put_solid(model *m, const sp_scene *s, int32_t b, const char *group)
     for (int32_t i = of->face; i < of->face + of->faces; i++) {
         fputs("f", m->out);
         for (int32_t k = s->face[i].corner; k < s->face[i].corner + s->face[i].corners; k++)
-            fprintf(m->out, " %ld", (long)(first + s->corner[k]));
+            fprintf(m->out, " %ld", (long)first + s->corner[k]);
         fputs("\n", m->out);
     }
 }
