@@ -55,7 +55,8 @@ static inline const sp_real *sp__view_place(const sp__system *w, const sp__view 
 }
 
 /* u = (I, -[l]x) X, friction weighed; the narrow kernel has no third. */
-static inline void sp__view_rates(const sp__system *w, const sp__view *k, const sp_real *place, const sp_real X[6], sp_real u[3])
+static inline void sp__view_rates(const sp__system *w, const sp__view *k, const sp_real *place, const sp_real X[6],
+                                  sp_real u[3])
 {
     if (k->g) sp__wedge_rates(w, place, X, u);
     else sp__system_rate(w, X, X + 3, place, u);
@@ -84,7 +85,8 @@ static inline void sp__view_widen(const sp__system *w, const sp__view *k, const 
 }
 
 /* Y += (I, -[l]x)' f */
-static inline void sp__view_gather(const sp__system *w, const sp__view *k, const sp_real *place, const sp_real f[3], sp_real Y[6])
+static inline void sp__view_gather(const sp__system *w, const sp__view *k, const sp_real *place, const sp_real f[3],
+                                   sp_real Y[6])
 {
     const sp_real *l = place;
     if (k->g) { sp__wedge_gather(w, place, f, Y); return; }

@@ -154,7 +154,8 @@ static const sp__yield *sp__system_yield(const sp__system *w, int32_t c)
 }
 
 /* X = T y: motion of B seen from A at the origin of a contact. */
-static inline void sp__reduction_motion(const sp__system *w, const sp_contact *t, const sp_real *g, const sp_real *y, sp_real X[3])
+static inline void sp__reduction_motion(const sp__system *w, const sp_contact *t, const sp_real *g, const sp_real *y,
+                                        sp_real X[3])
 {
     const sp__reduction *o = w->reduction;
     const size_t row[3] = { sp__reduction_row(o, 0), sp__reduction_row(o, 1), sp__reduction_row(o, 2) };
@@ -171,7 +172,8 @@ static inline void sp__reduction_motion(const sp__system *w, const sp_contact *t
 }
 
 /* r += T' Y: the forces Y that X meets. */
-static inline void sp__reduction_gather(const sp__system *w, const sp_contact *t, const sp_real *g, const sp_real Y[3], sp_real *r)
+static inline void sp__reduction_gather(const sp__system *w, const sp_contact *t, const sp_real *g, const sp_real Y[3],
+                                        sp_real *r)
 {
     for (int side = 0; side < 2; side++) {
         const int32_t i = side ? t->b : t->a;

@@ -50,7 +50,8 @@ static inline void sp__wedge_widen(const sp__system *w, const sp_real *g, const 
 }
 
 /* f = P_K(u) with tension at its price, D its derivative (nn, ns, ss); mu: of the yield. f or D may be NULL. */
-static inline void sp__wedge_project(const sp__system *w, sp_real mu, const sp_real *g, const sp_real u[2], sp_real *f, sp_real *D)
+static inline void sp__wedge_project(const sp__system *w, sp_real mu, const sp_real *g, const sp_real u[2], sp_real *f,
+                                     sp_real *D)
 {
     const sp_real side = u[1] < 0 ? (sp_real)-1 : (sp_real)1, s = side * u[1], k = mu / g[u[1] < 0 ? 5 : 4];
     const sp_real n = u[0] + k * s, x = n / (1 + k * k);
