@@ -18,6 +18,7 @@ typedef struct sp__bracket {
     int32_t final;
     int slight;                         /* a motion that no contact resists proves as sp_verify has it, within tol, too */
     int spent;                          /* a certificate check did not fit */
+    int lacking;                        /* a search had no memory */
     int64_t limit;                      /* flops in all */
     sp_cost cost;
     sp_arena room;                      /* for certifying */

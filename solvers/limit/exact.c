@@ -123,6 +123,7 @@ SP__NOINLINE static sp_verdict sp__engine_ask(sp__engine *g, sp__bracket *b, sp_
     if (!status && !claim) status = sp__engine_stage(g, b, g->rest, &claim);
     g->n.left -= g->state.cost.factorisations;
     sp__cost_add(&b->cost, &g->state.cost);
+    b->lacking |= status == SP_E_MEMORY;
     if (status) claim = SP_UNDECIDED;
     if (!claim && b->set.budget > 0 && g->state.reason == SP_REASON_BUDGET) b->spent = 1;
     if (claim == SP_UNSTABLE) memcpy(b->dq, g->state.dq, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
@@ -148,6 +149,7 @@ SP__NOINLINE static int sp__engine_check(sp__engine *g, sp__bracket *b, sp_real 
         status = sp__exact_search(&b->pb, &b->set, o, &g->state, &room, &claim);
     else if (!claim) return 0;
     sp__cost_add(&b->cost, &g->state.cost);
+    b->lacking |= status == SP_E_MEMORY;
     if (status) return 0;
     memcpy(b->dq, g->state.dq, 6 * (size_t)b->pb.blocks * sizeof *b->dq);
     if (claim == SP_UNSTABLE) return 0;

@@ -388,6 +388,7 @@ SP_API sp_status sp_limit(const sp_scene *scene, const sp_settings *settings, sp
     memset(L, 0, sizeof *L);
     sp_status status = sp__limit_build(L, scene, settings, number, &a);
     if (!status) status = sp__limit_decide(L, &a);
+    if (!status && L->bracket.lacking) status = SP_E_MEMORY;            /* not the answer that the memory it takes gives */
     if (status) return status;
     L->r.verified = L->r.kind != SP_LIMIT_UNDECIDED && sp__bracket_verify(&L->bracket, &L->r);
     if (L->r.kind && !L->r.verified) L->r.reason = L->bracket.spent ? SP_REASON_BUDGET : SP_REASON_UNVERIFIED;

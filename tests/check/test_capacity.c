@@ -351,6 +351,33 @@ TEST(every_capacity_is_refused_or_enough)
     }
 }
 
+#if !defined SP_NO_IPM && !defined SP_SMALL
+/* Of joints with strength a search that had no memory counted as undecided, and so did the limit, from half of its bytes on. */
+TEST(a_limit_that_lacked_memory_was_undecided)
+{
+    sp_scene scene;
+    sp_limit_result whole;
+    question q;
+    size_t need = 0;
+    test_arena.used = 0;
+    NEED(gen_make("two-cubes", NULL, 0, &test_arena, &scene) == SP_OK);
+    scene.body[0] = 1;
+    scene.joint[0].strength.cohesion = 10000;
+    scene.joint[0].strength.tension = 5000;
+    memset(&q, 0, sizeof q);
+    q.scene = &scene;
+    NEED(sp_memory(&scene, SP_FOR_LIMIT, NULL, test_arena, &need) == SP_OK);
+    const sp_arena mark = test_arena;
+    NEED(sp_limit(&scene, NULL, &test_arena, &whole) == SP_OK && whole.kind == SP_LIMIT_FOUND);
+    test_arena = mark;
+    const size_t enough = sweep(&q, ask_limit, need, SP_ALIGN), from = (mark.used + SP_ALIGN - 1) / SP_ALIGN * SP_ALIGN;
+    NEED(enough > 0 && enough <= need);
+    sp_arena a = { mark.base + from, enough, 0, 0 };
+    CHECK_INT(ask_limit(&q, &a), SP_OK);
+    CHECK_INT(q.answer.limit.kind, SP_LIMIT_FOUND);
+}
+#endif
+
 /* Counts near the largest: what a scene takes is told, or 0 where no size_t (of 32 bits on some boards) can tell it. */
 TEST(counts_near_the_largest_wrap_no_size)
 {
@@ -377,5 +404,8 @@ TEST(counts_near_the_largest_wrap_no_size)
 
 TEST_LIST(capacity)
     RUN_FULL(every_capacity_is_refused_or_enough)
+#if !defined SP_NO_IPM && !defined SP_SMALL
+    RUN(a_limit_that_lacked_memory_was_undecided)
+#endif
     RUN(counts_near_the_largest_wrap_no_size)
 TEST_END
