@@ -125,12 +125,14 @@ static size_t limit_of(const sp_scene *s, sp_settings *set, sp_limit_result *l)
 static void limit(const sp_scene *s, const sp_result *r)
 {
     sp_settings set = sp_settings_default();
-    sp_limit_result l;
+    sp_limit_result l, again;
     const size_t bytes = limit_of(s, &set, &l);
     if (!bytes) return;
     asked(LIMIT);
     if (l.kind == SP_LIMIT_FOUND && l.cost.interior && r->effect[SP_EFFECT_DEPTH] == SP_WHY_MIRROR)
         HOLDS(l.peak_bytes == bytes, "%zu of %zu bytes", l.peak_bytes, bytes);
+    sp_arena less = room_for(SEQUENCE, l.peak_bytes - 1);
+    HOLDS(sp_limit(s, &set, &less, &again) == SP_E_MEMORY && !less.used, "limit in one byte less than it took");
     if (l.kind != SP_LIMIT_FOUND || s->live < 1 || s->live > 1) return;
     if (r->verdict == SP_STABLE) HOLDS(l.upper >= 1 - (sp_real)1e-6, "stands at 1, limit %g", (double)l.upper);
     if (r->verdict == SP_UNSTABLE && l.dead == SP_STABLE)
@@ -183,7 +185,9 @@ static void sliding(const sp_scene *of)
     if (!limit_of(&shaken, &set, &l)) return;
     const size_t bytes = bytes_of(&shaken, SP_FOR_SLIDING, &set), verify = bytes_of(&shaken, SP_FOR_SLIDING_VERIFY, &set);
     if (!bytes || !verify) return;
-    sp_arena a = room_for(SEQUENCE, bytes);
+    sp_arena a = room_for(SEQUENCE, bytes - 1);
+    HOLDS(sp_sliding(&shaken, &set, &how, &l, &a, &r) == SP_E_MEMORY && !a.used, "sliding in one byte less");
+    a = room_for(SEQUENCE, bytes);
     HOLDS(sp_sliding(&shaken, &set, &how, &l, &a, &r) == SP_OK, "sliding");
     asked(SLIDING);
     HOLDS(r.peak_bytes == bytes, "%zu of %zu bytes", r.peak_bytes, bytes);
@@ -210,7 +214,9 @@ static void strong(const sp_scene *s, const sp_real *f)
     set.budget = 5000000;
     const size_t bytes = bytes_of(s, SP_FOR_STRONG, &set), verify = bytes_of(s, SP_FOR_STRONG_VERIFY, &set);
     if (!bytes || !verify) return;
-    sp_arena a = room_for(OTHER, bytes);
+    sp_arena a = room_for(OTHER, bytes - 1);
+    HOLDS(sp_strong(s, &set, &few, f, NULL, &a, &r) == SP_E_MEMORY && !a.used, "strong in one byte less");
+    a = room_for(OTHER, bytes);
     const sp_status status = sp_strong(s, &set, &few, f, NULL, &a, &r);
     HOLDS(status == SP_OK, "strong: status %d", (int)status);
     asked(STRONG);

@@ -39,7 +39,9 @@ asked() {                                               # asked LOG: says so; co
              if (n[k] == 1 || $2 < least[k]) least[k] = $2
              if ($2 > most[k]) most[k] = $2
              if ($2 < (k == "invariant" ? 1000 : 500)) { print "asked too rarely: " $0; bad = 1 } }
-         $1 == "verdicts" { told = $0; all = $2 + $4 + $6; odd = $6 + $8 + $13; if (1000 * odd > all) bad = 1 }
+         $1 == "verdicts" {
+             told = $0; gsub(/ +/, " ", told)
+             all = $2 + $4 + $6; odd = $6 + $8 + $13; if (1000 * odd > all) bad = 1 }
          END { if (!all || n["invariant"] < 7) { print "not told what was asked"; exit 1 }
                printf "%d invariants of %d to %d scenes, ", n["invariant"], least["invariant"], most["invariant"]
                printf "%d questions of %d to %d; %s\n", n["question"], least["question"], most["question"], told
