@@ -57,7 +57,7 @@ apart() {                                               # apart FILE ENTRY: call
     *) echo sp__take:0 ;;
     esac
 }
-precision() {                                           # # precision FILE ENTRY: loops that are unrolled, relations that are kept
+precision() {                                           # precision FILE ENTRY: loops that are unrolled, relations that are kept
     case $1,$2 in
     wide.c,*_walk) echo '-eva-precision 0 -eva-plevel 5000 -eva-auto-loop-unroll 6 -eva-domains symbolic-locations,octagon' ;;
     wide.c,*) echo '-eva-precision 0 -eva-plevel 5000 -eva-auto-loop-unroll 6 -eva-domains symbolic-locations,gauges' ;;
