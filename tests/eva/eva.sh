@@ -53,13 +53,14 @@ apart() {                                               # apart FILE ENTRY: call
     base.c,*)
         echo eva_pieces:2000,sp__take:2000,eva_csc:400,sp__sort:400,sp__sort_sink:400,sp__csc_fill:400,sp_csc_from:400 ;;
     wide.c,eva_wide_triple) echo sp__problem_points:100 ;;
+    wide.c,eva_wide_still_whole) echo sp__problem_points:100,sp__certify_still:100 ;;
     wide.c,eva_wide_shear) echo sp__shear_lead:4 ;;
     *) echo sp__take:0 ;;
     esac
 }
 precision() {                                           # precision FILE ENTRY: loops that are unrolled, relations that are kept
     case $1,$2 in
-    wide.c,*_walk) echo '-eva-precision 0 -eva-plevel 5000 -eva-auto-loop-unroll 6 -eva-domains symbolic-locations,octagon' ;;
+    wide.c,*_walk|wide.c,*_whole) echo '-eva-precision 0 -eva-plevel 5000 -eva-auto-loop-unroll 6 -eva-domains symbolic-locations,octagon' ;;
     wide.c,*) echo '-eva-precision 0 -eva-plevel 5000 -eva-auto-loop-unroll 6 -eva-domains symbolic-locations,gauges' ;;
     linear.c,eva_lp|linear.c,eva_simplex) echo '-eva-precision 0 -eva-min-loop-unroll 8 -eva-domains symbolic-locations' ;;
     linear.c,eva_groups|linear.c,eva_cg|small.c,*) echo '-eva-precision 0 -eva-auto-loop-unroll 20' ;;

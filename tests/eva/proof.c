@@ -138,14 +138,6 @@ void eva_still_walk(void)
     if (proof.nodes > 0 && proof.entries >= 0) sp__still_walk(&w);
 }
 
-/* All of it, of four corners and FEW nodes. */
-void eva_still_whole(void)
-{
-    sp_arena a = memory_of(0);
-    opened(0, &a);
-    if (proof.nodes <= FEW) sp__certify_still(&judge, inertia, &proof, &a);
-}
-
 /* Forces without torsion and the motion along a tree of joints, with live loads and without. */
 void eva_even(void)
 {

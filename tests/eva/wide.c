@@ -221,6 +221,18 @@ void eva_wide_still_walk(void)
     if (proof.nodes > 0 && proof.nodes <= SP__STILL_DEPTH * SP__STILL_POINTS - 2 && proof.entries >= 0) sp__still_walk(&w);
 }
 
+/* All of it, of as many corners and blocks as there may be, of four joints. */
+void eva_wide_still_whole(void)
+{
+    sp_arena a = memory_of(0);
+    wide_open(SP__STILL_POINTS, SP__STILL_POINTS, 0, 0, &a);
+    wide_proof();
+    pb.contacts = SP__STILL_POINTS / EACH;
+    /*@ loop unroll 16; */
+    for (int c = 0; c < SP__STILL_POINTS / EACH; c++) contact[c].points = EACH;
+    if (proof.nodes <= SP__STILL_DEPTH * SP__STILL_POINTS - 2) sp__certify_still(&judge, inertia, &proof, &a);
+}
+
 /* What slides, what moves from rest. */
 static void wide_moving(int turned)
 {
