@@ -41,6 +41,31 @@ SP__NOINLINE static void sp__exact_recall(sp__system *w, sp__newton *n, sp_state
     memcpy(w->y, w->d, bytes);
 }
 
+/* Before the first of Newton's factors, steps with the one at hand, that of the bilateral force: joints that open or slide
+ * resist no more than if they held, so G is at least as much as any Hessian, and y - s G^-1 r lowers D for every s < 2. By then
+ * most joints are open that will be, and one factor or two are saved. Where most of the slope is left after the first step
+ * hardly anything resists, it may fall: that step is taken back.                                    [Boehning, Lindsay 1988] */
+SP__NOINLINE static void sp__exact_nearer(sp__system *w, sp__newton *n, sp_state *state)
+{
+    const size_t size = 6 * (size_t)w->pb->blocks, bytes = size * sizeof *w->y;
+    sp_real *y = state->dq, *r = w->L.t;                /* no proof is at hand; nothing is solved meanwhile */
+    if (w->singular || n->proved || w->L.flops < SP__NEARER_PAYS * sp__system_solve_flops(w)) return;
+    for (int it = 0; it < SP__NEARER_STEPS && n->imbalance > n->goal && !w->budget.spent; it++) {
+        sp__system_solve_roughly(w, w->r, w->d);
+        memcpy(y, w->y, bytes);
+        memcpy(r, w->r, bytes);
+        const sp_real slope = sp__dot(w->r, w->d, size);
+        sp__system_axpy(w, -SP__NEARER_LONG, w->d, w->y);
+        sp__newton_residual(w);
+        if (it == 0 && sp__dot(w->r, w->d, size) > SP__NEARER_LEFT * slope) {
+            memcpy(w->y, y, bytes);
+            memcpy(w->r, r, bytes);
+            return;
+        }
+        sp__newton_record(w, n, state);
+    }
+}
+
 /* The ways to an answer, until one of them ends the search: Newton, interior points, the proximal path, forces.
  * looked: w->r is of w->y already. */
 static void sp__exact_ways(sp__system *w, sp__newton *n, int looked, sp_state *state)
@@ -53,6 +78,7 @@ static void sp__exact_ways(sp__system *w, sp__newton *n, int looked, sp_state *s
     if (whole) sp__newton_record_proof(w, n, w->y, state);
     if (looked) sp__newton_record(w, n, state);
     else sp__newton_measure(w, n, state);
+    if (whole) sp__exact_nearer(w, n, state);
     if (whole) sp__newton_plain(w, n, state);
     sp__newton_finish(w, n, state);
     const int cones = SP__WITH_INTERIOR && !sp__problem_strong(w->pb);  /* with strength K is none */
