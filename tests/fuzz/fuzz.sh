@@ -173,7 +173,7 @@ else
         unset FUZZ_SOME
         kept "$t" "$out/$t"
     done
-    [ -f build/stonepack.o ] || make -s build/stonepack.o > /dev/null
+    fresh build/stonepack.o || make -s build/stonepack.o > /dev/null
     for t in $targets; do
         alone "$t" || continue
         link "$t" '' build/stonepack.o tests/fuzz/loop.c "$out/$t-fast" gcc -O2
