@@ -151,7 +151,7 @@ static void sp__descend_allow(sp__descend *s, const sp_real *m, sp_real none)
         const sp__slab_corner *k = &w->corner[v];
         const sp_real open = m ? sp__slab_rate(k, k->n, m) : 0, slip = m ? sp__slab_rate(k, k->t, m) : 0;
         x->lower[2 * v] = x->lower[2 * v + 1] = 0;
-        x->upper[2 * v] = open <= none && slip <= none ? SP__SIMPLEX_FREE : 0;
+        x->upper[2 * v] = open <= none && (slip <= none || !(k->mu > 0)) ? SP__SIMPLEX_FREE : 0;
         x->upper[2 * v + 1] = open <= none && slip >= -none && k->mu > 0 ? SP__SIMPLEX_FREE : 0;
         for (int32_t j = 2 * v; j < 2 * v + 2; j++) if (!(x->upper[j] > 0) && x->at[j] < 0) x->x[j] = 0;
     }
@@ -214,7 +214,8 @@ static void sp__descend_follow(sp__descend *s)
         if (up || down) ct += wish; else cn += wish;
         m->upper[j] = f->x[j] + f->x[j + 1] > none ? SP__SIMPLEX_FREE : cn;
         m->lower[j] = -SP__SIMPLEX_FREE;
-        m->upper[j + 1] = f->x[j] > none ? SP__SIMPLEX_FREE : ct;           /* ft > -mu fn: no slip along t */
+        const int rough = w->corner[j / 2].mu > 0;      /* without friction x is fn and 0, and slips either way */
+        m->upper[j + 1] = rough && f->x[j] > none ? SP__SIMPLEX_FREE : ct;  /* ft > -mu fn: no slip along t */
         m->lower[j + 1] = f->x[j + 1] > none ? -SP__SIMPLEX_FREE : -ct;
     }
 }

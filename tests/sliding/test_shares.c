@@ -6,13 +6,13 @@
 
 #if SP__WITH_SLIDING
 
-/* A corner of friction mu whose motion opens and slips by so much: pressure where it stays shut, and friction, which is pressure
- * taken back, where it slips that way, stays, and rubs. */
+/* A corner of friction mu whose motion opens and slips by so much. Its force is along both edges of the cone, where it stays
+ * shut along the one against its slip; without friction they are one, whichever way it slips. */
 TEST(a_corner_may_press_where_it_is_shut_and_rub_where_it_is_rough)
 {
     static const struct { double mu, open, slip; int moves, press, rub; } row[] = {
         { 0.5, 0, 0, 0, 1, 1 }, { 0, 0, 0, 0, 1, 0 }, { 0.5, 0, 0, 1, 1, 1 }, { 0.5, 0, 1, 1, 0, 1 }, { 0.5, 0, -1, 1, 1, 0 },
-        { 0.5, 1, 1, 1, 0, 0 }, { 0, 0, -1, 1, 1, 0 }
+        { 0.5, 1, 1, 1, 0, 0 }, { 0, 0, -1, 1, 1, 0 }, { 0, 0, 1, 1, 1, 0 }
     };
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
         sp__slab_corner corner;
