@@ -60,15 +60,21 @@ void eva_sort_many(void)
     sp__sort(p, n, before, p);
 }
 
-/* Rows of free blocks among the blocks of a scene. */
+/* Rows of up to N free blocks among those of a scene with up to three supports; their numbers are any. */
 void eva_rows(void)
 {
+    static sp_scene scene;
     int32_t block[N];
     sp_problem pb;
     for (int32_t k = 0; k < N; k++) block[k] = any_whole(0, INT32_MAX);
+    pb.scene = &scene;
     pb.block = block;
-    pb.blocks = any_whole(0, N);
-    sp__problem_row(&pb, any_whole(0, INT32_MAX));
+    for (pb.blocks = 0; pb.blocks <= N; pb.blocks++)
+        for (int32_t supports = 0; supports <= 3; supports++) {
+            scene.count.blocks = pb.blocks + supports;
+            for (int32_t k = 0; k <= pb.blocks + supports; k++) sp__problem_row(&pb, k);
+            sp__problem_row(&pb, INT32_MAX);
+        }
 }
 
 /* Directions and halves of every pyramid. */

@@ -40,21 +40,24 @@ for walk in refute still; do
     sed -i "s|^$loop|    /*@ ghost int deeper = 0; */\\n    /*@ widen_hints \"all\", $hints; */\\n&\\n        $ghost|
             s|^$part|    /*@ loop unroll 28; */\\n&|" "$file"
 done
+always=sp__load_unit:1000,sp__drop_held:300              # pointers that step along
 apart() {                                               # apart FILE ENTRY: calls whose paths are told apart
     case $1,$2 in
     *,eva_even|*,eva_shear*)
-        echo sp__shear_open:200,sp__shear_lead:200,sp__shear_flat:200,sp__shear_pairs:500,sp__shear_joint:200 \
+        echo $always,sp__shear_open:200,sp__shear_lead:200,sp__shear_flat:200,sp__shear_pairs:500,sp__shear_joint:200 \
             sp__shear_tree:100,sp__shear_at:20,sp__shear_make:100,sp__certify_shear:100 | tr ' ' , ;;
     proof.c,*)
-        echo sp__certifier_least_squares:300,sp__certifier_bilateral:300,sp__certifier_hold_small:100 \
+        echo $always,sp__certifier_least_squares:300,sp__certifier_bilateral:300,sp__certifier_hold_small:100 \
             sp__certifier_free_spin:100,sp__certify_refutation:100,sp__certify_still:100,sp__refute_unit:50 | tr ' ' , ;;
     linear.c,eva_words) echo sp_text:3000 ;;
+    base.c,eva_rows) echo sp__problem_row:100 ;;
     base.c,eva_chol|base.c,eva_sort_many) echo sp__take:0 ;;
     base.c,*)
         echo eva_pieces:2000,sp__take:2000,eva_csc:400,sp__sort:400,sp__sort_sink:400,sp__csc_fill:400,sp_csc_from:400 ;;
-    wide.c,eva_wide_triple) echo sp__problem_points:100 ;;
-    wide.c,eva_wide_still_whole) echo sp__problem_points:100,sp__certify_still:100 ;;
-    wide.c,eva_wide_shear) echo sp__shear_lead:4 ;;
+    wide.c,eva_wide_triple) echo $always,sp__problem_points:100 ;;
+    wide.c,eva_wide_still_whole) echo $always,sp__problem_points:100,sp__certify_still:100 ;;
+    wide.c,eva_wide_shear) echo $always,sp__shear_lead:4 ;;
+    wide.c,*) echo $always ;;
     *) echo sp__take:0 ;;
     esac
 }
@@ -66,6 +69,7 @@ precision() {                                           # precision FILE ENTRY: 
     linear.c,eva_groups|linear.c,eva_cg|small.c,*) echo '-eva-precision 0 -eva-auto-loop-unroll 20' ;;
     linear.c,eva_words) echo '-eva-precision 0 -eva-min-loop-unroll 25' ;;
     linear.c,*) echo '-eva-precision 0 -eva-min-loop-unroll 100' ;;
+    *,eva_rows) echo '-eva-precision 0 -eva-min-loop-unroll 12' ;;
     *,eva_chol) echo '-eva-precision 0 -eva-min-loop-unroll 25 -eva-plevel 400' ;;
     *,eva_sort_many) echo '-eva-precision 0 -eva-plevel 5000' ;;
     *,eva_even) echo '-eva-precision 0 -eva-auto-loop-unroll 6' ;;
