@@ -63,7 +63,8 @@ apart() {                                               # apart FILE ENTRY: call
 }
 precision() {                                           # precision FILE ENTRY: loops that are unrolled, relations that are kept
     case $1,$2 in
-    wide.c,*_walk|wide.c,*_whole) echo '-eva-precision 0 -eva-plevel 5000 -eva-auto-loop-unroll 6 -eva-domains symbolic-locations,octagon' ;;
+    wide.c,*_walk|wide.c,*_whole)
+        echo '-eva-precision 0 -eva-plevel 5000 -eva-auto-loop-unroll 6 -eva-domains symbolic-locations,octagon' ;;
     wide.c,*) echo '-eva-precision 0 -eva-plevel 5000 -eva-auto-loop-unroll 6 -eva-domains symbolic-locations,gauges' ;;
     linear.c,eva_lp|linear.c,eva_simplex) echo '-eva-precision 0 -eva-min-loop-unroll 8 -eva-domains symbolic-locations' ;;
     linear.c,eva_groups|linear.c,eva_cg|small.c,*) echo '-eva-precision 0 -eva-auto-loop-unroll 20' ;;
