@@ -84,12 +84,10 @@ static size_t sp__problem_memory(const sp_scene *scene)
     return sp__failed(&dry) ? 0 : dry.used;
 }
 
-/* Row of a block of the scene among the free ones (their numbers ascend), -1: a support. No more rows are missing before it
- * than there are supports. */
+/* Row of a block of the scene among the free ones (their numbers ascend), -1: a support. */
 static int32_t sp__problem_row(const sp_problem *problem, int32_t block)
 {
-    const int32_t supports = problem->scene->count.blocks - problem->blocks;
-    int32_t lo = block > supports ? block - supports : 0, hi = block < problem->blocks ? block : problem->blocks;
+    int32_t lo = 0, hi = problem->blocks;
     while (lo < hi) {
         const int32_t mid = lo + (hi - lo) / 2;
         if (problem->block[mid] < block) lo = mid + 1; else hi = mid;
