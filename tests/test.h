@@ -72,7 +72,7 @@ size_t test_bytes(const sp_scene *scene, sp_memory_for what, const sp_settings *
 extern sp_arena test_arena;
 void test_renew(void);                                  /* it is empty again; to MSan nobody has written there yet */
 
-/* How many samples of one claim: a few in daily work and on boards, all of them with LONG=1, as `make check` asks once. */
+/* How many samples of one claim: a few in daily work and on boards, all of them with LONG=1, as `make nightly` asks. */
 extern int test_long;
 #define SOME_OF(all, few) (test_long ? (all) : (few))
 
