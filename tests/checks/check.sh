@@ -93,7 +93,7 @@ without() {                                             # without GONE-REGEX FLA
     shift
     wo_object=$(left_out "$@")
     # shellcheck disable=SC2086
-    $CC $base "$@" -O1 -c stonepack.c -o "$wo_object" && symbols "$wo_object" '' || return 1
+    $CC $base "$@" -Os -c stonepack.c -o "$wo_object" && symbols "$wo_object" '' || return 1
     ! nm "$wo_object" | grep -E "$wo_gone"
 }
 tests_without() {                                       # tests_without "SUITES" FLAGS...: on what `without` made, if it did

@@ -307,7 +307,9 @@ TEST_LIST(ask)
     RUN(gates_start_from_no_forces_with_what_is_left)
     RUN(a_question_takes_what_it_costs)
     RUN(a_question_that_a_budget_ends_has_spent_it)
+#ifndef SP_NO_PLAN
     RUN(a_whole_check_begins_at_rest_with_all_iterations)
+#endif
     RUN(forces_of_a_large_multiple_balance_live_loads_alone_without_the_tiny_ones)
     RUN(loads_that_cancel_are_no_size)
 #endif
