@@ -136,7 +136,7 @@ check_switches() {
     count "tests, SP_SMALL, float" tests_without "$(cat tests/small/suites.txt)" -DSP_SMALL -DSP_REAL_FLOAT
     # In double the quick ones, by night all; in float those near what is left out.
     count "tests, SP_NO_QP" tests_without "$no_qp" -DSP_NO_QP
-    count "tests, SP_NO_QP, float" tests_without 'admm stages custom fence alternation' -DSP_NO_QP -DSP_REAL_FLOAT
+    count "tests, SP_NO_QP, float" tests_without "admm stages custom fence alternation ${EVERY:+coupled}" -DSP_NO_QP -DSP_REAL_FLOAT
     count "tests, SP_NO_IPM" tests_without "$no_ipm" -DSP_NO_IPM
     count "tests, SP_NO_IPM, float" tests_without 'stages custom settings closed near budget hard' -DSP_NO_IPM -DSP_REAL_FLOAT
     count "tests, SP_NO_STRONG" tests_without 'strong memory custom verify' -DSP_NO_STRONG

@@ -92,7 +92,6 @@ static question named(unsigned byte)
     return of[byte % 16];
 }
 
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     sp_arena a = arena(SCENE);
