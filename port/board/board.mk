@@ -153,7 +153,8 @@ compiler:
 	@echo $(CC)
 .SECONDARY:
 
-$(out)/tests/%.o: OPT = -O0
+# 4 MB of flash hold all tests at -Os, without optimisation they do not.
+$(out)/tests/%.o: OPT = $(if $(bare),-Os -Wno-maybe-uninitialized,-O0)
 $(out)/%.o: %.c
 	@mkdir -p $(@D)
 	@$(CC) $(flags) -c $< -o $@
