@@ -180,7 +180,8 @@ static size_t sp__form_numbers(sp__form form, const sp_settings *set, int capped
 }
 
 #ifdef SP_REAL_MIXED
-#define SP__REFINE 40                   /* steps a solution of the factor is refined by, at most */
+#define SP__REFINE 10                   /* steps a solution of the factor is refined by, at most */
+#define SP__REFINED ((sp_real)1e-9)     /* of the first residual that may be left */
 #endif
 
 /* The reduction of a search in 3 rows a block, NULL where it has all 6; without SP__WITH_REDUCTION the compiler knows that, and
