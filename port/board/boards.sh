@@ -86,6 +86,7 @@ else
     # First those that need not be told what a test needs.
     names=$(echo "$boards" | awk -v only="${ONLY:-}" -v whole=" ${WHOLE:-}" '
         NF && index($1, only) { print (index(whole, " " $1 "-") > 0), $1 }' | sort -s -n -k1,1 | cut -d ' ' -f 2)
+    if [ -z "$names" ]; then echo "no board is called ${ONLY:-}"; exit 1; fi
     { echo needs; echo "$names"; } | xargs -P "$(nproc 2> /dev/null || echo 1)" -I{} sh -c "sh '$0' {} > $logs/{} 2>&1"
     for board in $names; do joined "$board"; done
 fi

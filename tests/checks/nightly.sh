@@ -27,6 +27,8 @@ if [ ! -f $table ]; then
         echo "|---|---|---|--:|---|"
     } > $table
 fi
+only=${ONLY:-}                                          # of lines of this script, not of what they run
+unset ONLY
 instrument() { sh tests/instruments/instruments.sh "$1"; }
 
 # row NAME SECONDS FIGURE: written in the place of the row of that name, or at the end
@@ -38,7 +40,7 @@ line() {                                                # line NAME COMMAND...
     line_name=$1
     shift
     if [ "$listed" ]; then echo "$line_name"; return; fi
-    case $line_name in *"${ONLY:-}"*) ;; *) return ;; esac
+    case $line_name in *"$only"*) ;; *) return ;; esac
     line_failed=$failed
     begun
     line_from=$since
@@ -134,7 +136,7 @@ else skip "footprint, boards" "qemu-system-arm"; fi
 
 if [ "$listed" ]; then exit; fi
 if [ $((passed + failed)) -eq 0 ] && [ -z "$skipped" ]; then
-    echo "no line of nightly is called ${ONLY:-}"
+    echo "no line of nightly is called $only"
     exit 1
 fi
 total
