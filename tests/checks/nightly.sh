@@ -122,6 +122,7 @@ if have clang; then
     for target in scene qp obj qps json blob; do
         line "campaign: $target, sanitized" env MORE=1 sh tests/fuzz/campaign.sh sanitized $target
         line "campaign: $target, optimised" env MORE=1 sh tests/fuzz/campaign.sh optimised $target
+        line "campaign: $target, memory forgotten" env MORE=1 sh tests/fuzz/campaign.sh forgotten $target
     done
 else skip "campaigns of any bytes" clang; fi
 if have frama-c; then line "Frama-C Eva: arena, indices, kernels, certificate check" sh tests/eva/eva.sh
