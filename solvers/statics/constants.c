@@ -34,9 +34,12 @@
 #define SP__CLOSE (512 * (sp_real)SP_EPSILON)   /* imbalance whose further digits are rounding, not worth a solution, */
 #define SP__CLOSE_TOL ((sp_real)0.05)   /* if it is this share of tol at most: in float the former is more than a fine tol */
 #define SP__ASTRAY ((sp_real)1e6)      /* slope at the end of a first step in 3 rows, relative to its start, that ends Newton */
-#define SP__NEARER_STEPS 5              /* with the bilateral factor, before Newton's; each step */
-#define SP__NEARER_LONG ((sp_real)1.8)  /* is so many times as long as if nothing opened or slid */
-#define SP__NEARER_LEFT ((sp_real)0.65) /* share of the slope whose rest after the first says that it may fall */
+#define SP__NEARER_STEPS 12             /* with the bilateral factor, before Newton's, */
+#define SP__NEARER_FALLS 28             /* or so many where it falls */
+#define SP__NEARER_LONG ((sp_real)1.8)  /* length of the first; nothing would open or slide: 1 */
+#define SP__NEARER_MORE 3               /* times the last one that it may be at most */
+#define SP__NEARER_NEAR ((sp_real)0.25) /* share of a step that is not corrected */
+#define SP__NEARER_CLEAR ((sp_real)2e-3)        /* imbalance from which on Newton's steps are better */
 #define SP__NEARER_PAYS 6               /* solutions that a factor takes the work of, at least */
 #define SP__NO_START 2                  /* imbalance of forces inside the cones from which balancing does not come to any */
 #define SP__RUB ((sp_real)1e-6)        /* friction of joints that have none, where a motion is looked for */

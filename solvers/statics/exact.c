@@ -41,29 +41,56 @@ SP__NOINLINE static void sp__exact_recall(sp__system *w, sp__newton *n, sp_state
     memcpy(w->y, w->d, bytes);
 }
 
-/* Before the first of Newton's factors, steps with the one at hand, that of the bilateral force: joints that open or slide
- * resist no more than if they held, so G is at least as much as any Hessian, and y - s G^-1 r lowers D for every s < 2. By then
- * most joints are open that will be, and one factor or two are saved. Where most of the slope is left after the first step
- * hardly anything resists, it may fall: that step is taken back.                                    [Boehning, Lindsay 1988] */
+/* y <- y - s p, r there.     returns p.r */
+static sp_real sp__nearer_step(sp__system *w, sp_real s, const sp_real *p)
+{
+    sp__system_axpy(w, -s, p, w->y);
+    sp__newton_residual(w);
+    return sp__dot(w->r, p, 6 * (size_t)w->pb->blocks);
+}
+
+/* Before the first of Newton's factors, conjugate gradients on D with the one at hand, G of the bilateral force,
+ *
+ *   d <- G^-1 r,   p <- d + b p,   b = d.(r - r_old / 4) / p.(r_old - r),   y <- y - s p
+ *
+ * for joints that open or slide resist no more than if they held, so G is at least as much as any Hessian [Boehning, Lindsay
+ * 1988]. b is between Hestenes and Stiefel's of 1952 and Dai and Yuan's of 1999; s is the last one, corrected once by the
+ * slopes at both ends. What stands soon has most joints open that will be. Where the slope grows beyond the first D has no
+ * minimum: y goes ever farther along a mechanism, and proves it. Where it does not, Newton begins where this began. */
 SP__NOINLINE static void sp__exact_nearer(sp__system *w, sp__newton *n, sp_state *state)
 {
-    const size_t size = 6 * (size_t)w->pb->blocks, bytes = size * sizeof *w->y;
-    sp_real *y = state->dq, *r = w->L.t;                /* no proof is at hand; nothing is solved meanwhile */
-    if (w->singular || n->proved || w->L.flops < SP__NEARER_PAYS * sp__system_solve_flops(w)) return;
-    for (int it = 0; it < SP__NEARER_STEPS && n->imbalance > n->goal && !w->budget.spent; it++) {
+    const size_t size = 6 * (size_t)w->pb->blocks;
+    const int64_t pays = w->L.flops / sp__system_solve_flops(w);
+    const sp_real goal = sp__max(n->goal, SP__NEARER_CLEAR);
+    sp_real *p = state->dq, s = SP__NEARER_LONG, first = 0, bend = 0, kept = 0; /* no proof is at hand; kept: d_old.r */
+    int falls = 0, most = SP__NEARER_STEPS;
+    if (w->singular || pays < SP__NEARER_PAYS) return;
+    for (int it = 0; it < most && n->imbalance > goal && !n->proved && !w->budget.spent; it++) {
         sp__system_solve_roughly(w, w->r, w->d);
-        memcpy(y, w->y, bytes);
-        memcpy(r, w->r, bytes);
-        const sp_real slope = sp__dot(w->r, w->d, size);
-        sp__system_axpy(w, -SP__NEARER_LONG, w->d, w->y);
-        sp__newton_residual(w);
-        if (it == 0 && sp__dot(w->r, w->d, size) > SP__NEARER_LEFT * slope) {
-            memcpy(w->y, y, bytes);
-            memcpy(w->r, r, bytes);
-            return;
+        const sp_real slope = sp__dot(w->r, w->d, size), change = slope - kept / 4;
+        const sp_real b = bend > 0 && change > 0 ? change / bend : 0;
+        for (size_t k = 0; k < size; k++) p[k] = w->d[k] + (it ? b * p[k] : 0);
+        const sp_real start = sp__dot(w->r, p, size);
+        if (!(start > 0) || start > SP__HUGE) break;
+        sp_real end = sp__nearer_step(w, s, p), times = start / (start - end);
+        if (!(times > 0 && times < SP__NEARER_MORE)) times = SP__NEARER_MORE;
+        if (sp__abs(times - 1) > SP__NEARER_NEAR) {
+            end = sp__nearer_step(w, s * (times - 1), p);
+            s *= times;
         }
+        bend = start - end;
+        kept = sp__dot(w->r, w->d, size);
         sp__newton_record(w, n, state);
+        if (!it) first = slope;
+        if (!falls && slope > first) {
+            falls = 1;
+            most = 2 * pays < SP__NEARER_FALLS ? (int)(2 * pays) : SP__NEARER_FALLS;
+        }
+        if (falls) sp__newton_record_proof(w, n, w->y, state);
     }
+    if (!falls || n->proved) return;
+    sp__bilateral_solve(w);
+    sp__newton_measure(w, n, state);
 }
 
 /* The ways to an answer, until one of them ends the search: Newton, interior points, the proximal path, forces.

@@ -21,14 +21,15 @@ TEST(a_diamond_of_five_rows_without_friction_is_undecided_and_of_four_stands)
 }
 
 /* Walls, arches and rubble lie in a plane, what stands and what falls: a third of the flops or less, the forces as good. Least of
- * all where the first guess is right and its proof, always in 3 dimensions, is much of the work. */
+ * all where the first guess is right and its proof, always in 3 dimensions, is much of the work; but for the wall that falls, which
+ * in space the bilateral factor alone proves. */
 TEST(what_has_a_mirror_is_decided_in_the_plane_with_a_third_of_the_work)
 {
-    static const struct { const char *name, *param; double value; sp_verdict verdict; } scene[] = {
-        { "wall", "size", 54, SP_STABLE }, { "wall", "jitter", 0.3, SP_STABLE }, { "arch", "n", 12, SP_STABLE },
-        { "rubble", NULL, 0, SP_STABLE }, { "wall", "tilt", 5, SP_STABLE }, { "flat-arch", NULL, 0, SP_STABLE },
-        { "wall", "tilt", 45, SP_UNSTABLE }, { "arch", "t", 0.09, SP_UNSTABLE }, { "tower", "lean", 0.1, SP_UNSTABLE },
-        { "overhang", "factor", 1.1, SP_UNSTABLE }, { "diamond", "mu", 0.1, SP_UNSTABLE }
+    static const struct { const char *name, *param; double value; sp_verdict verdict; int at_once; } scene[] = {
+        { "wall", "size", 54, SP_STABLE, 0 }, { "wall", "jitter", 0.3, SP_STABLE, 0 }, { "arch", "n", 12, SP_STABLE, 0 },
+        { "rubble", NULL, 0, SP_STABLE, 0 }, { "wall", "tilt", 5, SP_STABLE, 0 }, { "flat-arch", NULL, 0, SP_STABLE, 0 },
+        { "wall", "tilt", 45, SP_UNSTABLE, 1 }, { "arch", "t", 0.09, SP_UNSTABLE, 0 }, { "tower", "lean", 0.1, SP_UNSTABLE, 0 },
+        { "overhang", "factor", 1.1, SP_UNSTABLE, 0 }, { "diamond", "mu", 0.1, SP_UNSTABLE, 0 }
     };
     for (int inscribed = 0; inscribed < 2; inscribed++) {
         sp_real planned = 0, whole = 0;
@@ -44,9 +45,10 @@ TEST(what_has_a_mirror_is_decided_in_the_plane_with_a_third_of_the_work)
             CHECK_INT(r.verdict, scene[k].verdict);
             CHECK_INT(r.effect[SP_EFFECT_DEPTH], SP_WHY_MIRROR);
             CHECK_INT(all.effect[SP_EFFECT_DEPTH], SP_WHY_ASKED);
-            if (!CHECK(R(2.2) * (sp_real)r.spent.total.flops <= (sp_real)all.spent.total.flops))
+            if (!CHECK((scene[k].at_once ? R(1.2) : R(2.2)) * (sp_real)r.spent.total.flops <= (sp_real)all.spent.total.flops))
                 TEST_PRINT("    %s: %ld of %ld flops\n", scene[k].name, (long)r.spent.total.flops, (long)all.spent.total.flops);
             CHECK(scene[k].verdict == SP_UNSTABLE || r.imbalance <= r.tol / 2);
+            if (scene[k].at_once) continue;
             planned += (sp_real)r.spent.total.flops;
             whole += (sp_real)all.spent.total.flops;
         }
