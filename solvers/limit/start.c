@@ -49,7 +49,6 @@ SP__NOINLINE static sp_status sp__limit_open(sp__limit *L, sp_arena *a)
     }
     for (size_t k = 0; k < 2 * n; k++) y0[1][k] /= L->ref;
     b->y0 = L->r.y0;
-    g->w->measure.metric = 0;
     sp__limit_loads_sized(L, 1);
     sp__limit_sizes(L);
     if (sp__system_metric(g->w)) sp__system_weights(g->w);
@@ -111,7 +110,6 @@ SP__NOINLINE static sp_status sp__limit_start(sp__limit *L, sp_arena *a, int *do
     const int climbs = sp__strong_check_dead(L) && L->best >= 0;
     if (L->engine.most > SP__STRONG_ASK) L->engine.most = SP__STRONG_ASK;
     if (!climbs) return SP_OK;
-    a->used = L->engine.rest.used;
     const sp_real best = L->best, slack = L->slack;
     memcpy(L->upper, b->dq, 6 * (size_t)b->pb.blocks * sizeof *L->upper);
     const sp_status status = sp__limit_open(L, a);
