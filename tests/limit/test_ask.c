@@ -242,6 +242,28 @@ TEST(a_whole_check_begins_at_rest_with_all_iterations)
     }
 }
 
+/* A push along no axis has no mirror: only a check in all rows answers. It is not brief, and what it
+ * finds is certified once. */
+TEST(a_whole_check_asks_in_rows_of_a_mirror_or_in_all)
+{
+    for (int k = 0; k < 4; k++) {
+        const int all = k & 1, mirror = k >= 2;
+        const sp_real push[3] = { R(0.2) * W, mirror ? 0 : R(0.1) * W, 0 };
+        cube(NOTHING, push, R(-0.5), NULL);
+        open();
+        sp_real *f = fenced_take(&test_arena, 12, sizeof *f);
+        g.rest = test_arena;
+        CHECK_INT(sp__engine_check(&g, &b, 1, all, f), all || mirror);
+        CHECK_INT(g.state.brief, 0);
+        if (all || mirror) {
+            const int64_t proof = b.cost.flops - g.state.cost.flops;
+            CHECK_INT(sp__bracket_stands(&b, 1, 1, f, f), 1);
+            CHECK_INT((int)(b.cost.flops - g.state.cost.flops - 2 * proof), 0);
+        }
+        whole();
+    }
+}
+
 /* Under 1e10 times its weight a cube's own is what is dropped, with forces along the joint of less than 1e-5 of the largest. */
 TEST(forces_of_a_large_multiple_balance_live_loads_alone_without_the_tiny_ones)
 {
@@ -309,6 +331,7 @@ TEST_LIST(ask)
     RUN(a_question_that_a_budget_ends_has_spent_it)
 #ifndef SP_NO_PLAN
     RUN(a_whole_check_begins_at_rest_with_all_iterations)
+    RUN(a_whole_check_asks_in_rows_of_a_mirror_or_in_all)
 #endif
     RUN(forces_of_a_large_multiple_balance_live_loads_alone_without_the_tiny_ones)
     RUN(loads_that_cancel_are_no_size)

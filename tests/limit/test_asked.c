@@ -303,6 +303,38 @@ TEST(a_collapse_that_gains_nothing_leaves_the_bound)
     whole();
 }
 
+/* It falls above 2: at 1.9 the motion proves nothing, and stays. */
+TEST(a_motion_that_proves_no_upper_end_stays)
+{
+    static const world stands = { -1, 2, 0, 1, 0, 0, 0, 0 };
+    for (int k = 0; k < 2; k++) {
+        pile(0);
+        cast(&stands, 3);
+        motion(&L->bracket, 2, 1, 3);
+        L->slack = 5;
+        for (int e = 0; e < 12; e++) L->upper[e] = 7;
+        CHECK_INT(sp__limit_upper_near(L, R(k ? 2.5 : 1.9) * 3), k);
+        CHECK_WITHIN(L->slack, k ? 0 : 5, 0);
+        CHECK_WITHIN(L->upper[7], k ? 1 : 7, 0);
+        CHECK_INT(L->r.upper < 0, !k);
+        whole();
+    }
+}
+
+/* All of both cubes' motion. */
+TEST(the_best_motion_is_proved_where_it_fell)
+{
+    static const world stands = { -1, 2, 0, 1, 0, 0, 0, 0 };
+    pile(0);
+    cast(&stands, 3);
+    for (int e = 0; e < 12; e++) L->upper[e] = R(e + 1);
+    L->fell = 2;
+    CHECK_INT(sp__limit_upper_fell(L, 3), 1);
+    for (int e = 0; e < 12; e++) CHECK_WITHIN(L->bracket.dq[e], e + 1, 0);
+    CHECK_WITHIN(L->r.upper, 6, 0);
+    whole();
+}
+
 /* from: 1: there is no end. is: 1: the verdict of dead loads, 10: the kind, 100: questions that are left. */
 TEST(what_is_open_at_last_is_asked_as_written_here)
 {
@@ -344,5 +376,7 @@ TEST_LIST(asked)
     RUN(live_loads_alone_are_asked_again_where_they_fall)
     RUN(a_collapse_that_gains_nothing_leaves_the_bound)
     RUN(the_upper_end_is_asked_as_written_here)
+    RUN(a_motion_that_proves_no_upper_end_stays)
+    RUN(the_best_motion_is_proved_where_it_fell)
 #endif
 TEST_END

@@ -442,6 +442,69 @@ TEST(a_limit_takes_the_memory_that_was_told)
     broken = built = 0;
 }
 
+/* Of no less than what it takes is there a limit's memory. */
+TEST(a_limit_is_carved_whole_or_not_at_all)
+{
+    limit(NOTHING, UP, NULL, 1);
+    sp_arena dry = sp__arena_dry(), room = test_arena;
+    CHECK_INT(sp__limit_carve(L, &dry, &dry), 1);
+    const size_t need = dry.used, at = test_arena.used;
+    for (size_t bytes = 0; bytes < need; bytes += need / 100) {
+        room.used = at;
+        room.capacity = at + bytes;
+        CHECK_INT(sp__limit_carve(L, &room, &room), 0);
+    }
+    fences_down(NULL);
+    broken = built = 0;
+}
+
+/* What is not proved goes, whatever was there before. */
+TEST(a_limit_leaves_no_motion_without_an_upper_end_and_no_ray_with_one)
+{
+    const sp_real down[3] = { 0, 0, R(-2) * W };
+    for (int up = 0; up < 2; up++) {
+        limit(NOTHING, up ? UP : down, NULL, 1);
+        sp_arena room = test_arena;
+        for (int e = 0; e < 12; e++) L->r.dq[e] = L->r.ray[e] = 7;
+        CHECK_INT(sp__limit_decide(L, &room), SP_OK);
+        CHECK_INT(L->r.kind, up ? SP_LIMIT_FOUND : SP_LIMIT_UNBOUNDED);
+        for (int e = 0; e < 12; e++) CHECK_WITHIN(up ? L->r.ray[e] : L->r.dq[e], 0, 0);
+        whole();
+    }
+}
+
+/* Of live loads that cancel most of dead ones the seventh part is left: that much nearer both ends are asked to be. */
+TEST(a_climb_ends_nearer_where_loads_cancel)
+{
+    const sp_real half[3] = { 0, 0, W / 2 };
+    for (int k = 0; k < 8; k++) {
+        const double ref = k & 2 ? 3 : 1, near = (double)SP__STRONG_NEAR / 7 * 2.5;
+        limit(NOTHING, half, NULL, R(ref));
+        L->best = R(1.5);
+        for (int e = 0; e < 3; e++) L->bracket.live[e] /= L->ref;
+        if (k & 4) L->bracket.dead[3] = W;              /* moments have no share */
+        L->r.lower = R(ref * (1.5 - near * (k & 1 ? 1.01 : 0.99)));
+        if (sizeof(sp_real) > 4) CHECK_INT(sp__strong_met(L), !(k & 1));
+        L->r.lower = R(ref * 1.5);
+        CHECK_INT(sp__strong_met(L), 1);
+        L->best = SP__HUGE;
+        CHECK_INT(sp__strong_met(L), 0);
+        whole();
+    }
+}
+
+/* Steps beyond so many are put aside, none where there are fewer. */
+TEST(steps_are_spared_beyond_so_many)
+{
+    for (int32_t left = 0; left < 9; left++) {
+        sp__newton n;
+        memset(&n, 0, sizeof n);
+        n.left = left;
+        CHECK_INT(sp__strong_spare(&n, 5), left > 5 ? left - 5 : 0);
+        CHECK_INT(n.left, left > 5 ? 5 : left);
+    }
+}
+
 TEST(one_block_alone_is_a_scene)
 {
     const sp_capacity cap = { 1, 0, 0, 0, 0, 0, 0 };
@@ -541,6 +604,10 @@ TEST_LIST(ends)
     RUN(a_lower_end_of_0_stands_under_dead_loads)
     RUN(a_claim_is_judged_in_the_memory_that_was_told)
     RUN(a_limit_takes_the_memory_that_was_told)
+    RUN(a_limit_is_carved_whole_or_not_at_all)
+    RUN(a_limit_leaves_no_motion_without_an_upper_end_and_no_ray_with_one)
+    RUN(a_climb_ends_nearer_where_loads_cancel)
+    RUN(steps_are_spared_beyond_so_many)
     RUN(one_block_alone_is_a_scene)
     RUN(what_is_not_proved_is_nothing)
     RUN(a_motion_bounds_the_multiple_by_its_power)

@@ -6,9 +6,20 @@
 #include "../../solvers/base/words.c"
 #include "../../solvers/scene/scene.c"
 #include "../../solvers/scene/block.c"
-#include "../../solvers/limit/strong.c"
+#include "../../solvers/limit/interior.c"
 
 #if SP__WITH_INTERIOR
+
+static sp_real lift;                                    /* loads at hand where a proof is sharpened */
+
+static void world_sharpen_proof(sp__system *w, sp_state *state)
+{
+    lift = w->pb->p[2];
+    for (int k = 0; k < 6; k++) state->dq[k] *= 2;
+}
+
+#define sp__newton_sharpen_proof world_sharpen_proof
+#include "../../solvers/limit/strong.c"
 
 /* What is answered: by the search, by proofs one after the other, by the question about dead loads and by live loads alone. */
 typedef struct world {
@@ -45,12 +56,13 @@ static int world_climb(sp__limit *L)
 }
 
 static void world_sharpen(sp__limit *L) { (void)L; sharpened++; }
+static void sharpen(sp__limit *L) { sp__limit_sharpen(L); }
 
 /* A proof that holds leaves what moves in it. */
 static int world_falls(sp__bracket *b, sp_real lambda, int beyond, sp_real *all)
 {
     CHECK_WITHIN(lambda, 0, 0);
-    CHECK(!all && beyond == !proofs);
+    CHECK(!all && !beyond == (proofs > 0));
     if (!here.falls[proofs++ & 1]) return 0;
     b->dq[0] = R(proofs);
     return 1;
@@ -103,6 +115,28 @@ static void cast(const world *w, const sp_real live[3], const sp_strength *stren
     CHECK_INT(sp__limit_build(L, &s, &set, number, &test_arena), SP_OK);
     here = *w;
     runs = sharpened = proofs = questions = alone = climbs = 0;
+}
+
+/* By live loads, where those make it fall, by dead ones below 0; twice the motion is as good and is not taken then. */
+TEST(a_motion_is_sharpened_under_the_loads_it_falls_by)
+{
+    const world w = { 0, 0, 0, 0, 2, -1, { 0, 0 }, 0, 0 };
+    for (int k = 0; k < 4; k++) {
+        static const double best[] = { -1, 0, 0.25, 2 };
+        cast(&w, UP, NULL);
+        sp_arena room = test_arena;
+        L->ref = R(0.3);
+        CHECK_INT(sp__limit_open(L, &room), SP_OK);
+        L->best = R(best[k]);
+        L->slack = R(k == 3 ? 2 : 0);
+        L->bracket.dq[2] = 3;
+        sharpen(L);
+        CHECK_NEAR(lift, k ? 3 * (double)W : -(double)W, TOL(1e-12, 1e-6));
+        CHECK_WITHIN(L->engine.at, k ? best[k] : 0, 0);
+        CHECK_NEAR(L->bracket.dq[2], k == 3 ? 6 : 3, TOL(1e-12, 1e-6));
+        CHECK_NEAR(L->best, k == 3 ? 1 / 3. : best[k], TOL(1e-9, 1e-5));
+        whole();
+    }
 }
 
 /* Both ends meet where they are 1000 tol of 1 + 2 apart. */
@@ -281,6 +315,7 @@ TEST(rows_of_a_mirror_are_those_of_both_loads)
 
 TEST_LIST(start)
 #if SP__WITH_INTERIOR
+    RUN(a_motion_is_sharpened_under_the_loads_it_falls_by)
     RUN(a_search_ends_as_its_parts_say)
     RUN(dead_loads_are_known_before_a_climb)
     RUN(the_first_search_is_chosen_by_joints_and_loads)

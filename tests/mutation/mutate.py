@@ -42,7 +42,7 @@ JUDGES = ['moving', 'scale', 'search', 'forces', 'spin', 'leaf', 'corner', 'refu
           'strong', 'shapes', 'spared', 'attack', 'exact', 'coupled', 'strength', 'closed', 'sliding']
 VERIFIES = ['hint', 'verify', 'islands', 'claims', 'arguments', 'exact', 'memory', 'capacity', 'holds',
             'strong']                                       # of verify alone
-LIMITS = ['asked', 'ask', 'ends', 'start', 'climb', 'moves', 'count', 'limit', 'arguments', 'bracket', 'spent', 'effort',
+LIMITS = ['asked', 'ask', 'ends', 'start', 'embed', 'climb', 'moves', 'count', 'limit', 'arguments', 'bracket', 'spent', 'effort',
           'sliding']                                        # of limit alone
 FIRST = ('tally', 'count', 'drawn')      # they count work, which hardly any change leaves as it was
 NOT_CORE = ('host', 'settle', 'small')          # of the core all other suites are asked, their quick tests
