@@ -25,6 +25,7 @@ static world here;
 static double heard[ASKED];
 static int questions, checks, proofs;
 static double proved;                                   /* where a proof was asked last */
+static int failing;                                     /* proofs are none, though they write what moves */
 
 static void note(double a) { if (questions < ASKED) heard[questions] = a; questions++; }
 
@@ -89,7 +90,7 @@ static int world_falls(sp__bracket *b, sp_real lambda, int beyond, sp_real *all)
     if (here.idle && (!(b->dq[0] > 0) || (here.idle > 1 && !(lambda > 0)))) return 0;
     if (!here.idle && !(work > least)) return 0;
     world_write(b, all);
-    if (beyond && b->dq[7] < 0) return 0;
+    if (failing || (beyond && b->dq[7] < 0)) return 0;
     b->least = R(work);
     b->final = 1;
     return 1;
@@ -321,6 +322,23 @@ TEST(a_motion_that_proves_no_upper_end_stays)
     }
 }
 
+/* Proofs that fail write what moves, twice as much: at last it is that of the upper end again. */
+TEST(a_result_keeps_the_motion_of_its_upper_end_where_others_prove_nothing)
+{
+    begin(&between_rows[0]);
+    sp_real kept[18];
+    memcpy(kept, L->r.dq, sizeof kept);
+    L->least = 0;
+    failing = 1;
+    sp__limit_halve(L);
+    failing = 0;
+    CHECK(proofs > 100);
+    for (int e = 0; e < 18; e++) CHECK_WITHIN(L->r.dq[e], kept[e], 0);
+    for (int e = 0; e < 12; e++) CHECK_WITHIN(L->bracket.dq[e], 2 * kept[6 + e], 0);
+    CHECK_WITHIN(L->r.upper, 12, 0);
+    whole();
+}
+
 /* All of both cubes' motion. */
 TEST(the_best_motion_is_proved_where_it_fell)
 {
@@ -377,6 +395,7 @@ TEST_LIST(asked)
     RUN(a_collapse_that_gains_nothing_leaves_the_bound)
     RUN(the_upper_end_is_asked_as_written_here)
     RUN(a_motion_that_proves_no_upper_end_stays)
+    RUN(a_result_keeps_the_motion_of_its_upper_end_where_others_prove_nothing)
     RUN(the_best_motion_is_proved_where_it_fell)
 #endif
 TEST_END

@@ -24,6 +24,7 @@ static sp__limit *L;
 static int told;                                        /* else they answer as they do */
 static int factors, forces, proofs, rays, seen;
 static sp_real motion[4][6];                            /* candidates, in turn */
+static const double *lengths;                           /* of steps, in turn, instead of here.length */
 
 static void world_factor(sp__system *w, sp__law law, const sp_real *y, sp_real shift)
 {
@@ -53,7 +54,11 @@ static void world_sweep(sp__system *w, sp__ipm *m, sp__pass pass, sp_real *r)
     else if (r) memset(r, 0, 6 * (size_t)w->pb->blocks * sizeof *r);
 }
 
-static void world_reach(sp__system *w, sp__ipm *m) { if (told) m->reach = R(here.length); else sp__ipm_reach(w, m); }
+static void world_reach(sp__system *w, sp__ipm *m)
+{
+    if (told) m->reach = R(lengths ? *lengths++ : here.length);
+    else sp__ipm_reach(w, m);
+}
 
 static sp_real world_resist(const sp__system *w, int32_t c, const sp_real *y)
 {
@@ -130,6 +135,8 @@ TEST(interior_points_end_where_written_here)
         { { 2, 1, 2.0000000001, 0.5, 0, 0, 0, 1, 0 }, 5, 1, 1, 1, 0, 0, 0, 2 },         /* both ends meet */
         { { 2, 1, 2.000001, 0.5, 0, 0, 0, 1, 0 }, 5, 0, 5, 1, 0, 0, 0, 2 },
         { { 2, 1, 2.001, 0.5, 0, 0, 0, 1, 0 }, 5, 0, 5, 0, 0, 0, 0, -1 },
+        { { 2, 1, 2 + 2998.5 * SP__SCALE_TOL, 0, 0, 0, 0, 0, 0 }, 1, 0, 1, 2, 0, 0, 0, -1 },  /* nearer than 3000 at last */
+        { { 2, 1, 2 + 3001.5 * SP__SCALE_TOL, 0, 0, 0, 0, 0, 0 }, 1, 0, 1, 0, 0, 0, 0, -1 },
         { { 2, 1, 1.999999, 0.5, 0, 0, 0, 1, 0 }, 5, 1, 1, 1, 0, 0, 0, 1.999999 },
         { { 2, 1, 2, 0.5, 0, 0, 0, 4, 0 }, 5, 1, 2, 3, 0, 0, 0, 2 },            /* the first forces are none */
         { { 1000, 1, 1e9, 0.5, 0, 0, 0, 3, 0 }, 5, 0, 5, 0, 0, 0, 0, -1 },
@@ -216,6 +223,43 @@ TEST(motions_work_as_the_embedding_wants)
     }
 }
 
+#ifndef SP_REAL_MIXED
+/* From a step of length[0] on, which is kept behind x in copy 1; each that is longer is kept in the other copy, and by turns in r
+ * and d. A shorter one goes back to that before it. */
+TEST(steps_are_centred_while_that_makes_them_longer)
+{
+    static const struct { double length[5]; int spent, solves, in_d; double is; } row[] = {
+        { { 0.95, 0, 0, 0, 0 }, 0, 0, 0, 0.95 }, { { 0.5, 0.4, 0, 0, 0 }, 0, 1, 0, 0.5 }, { { 0.5, 0.52, 0, 0, 0 }, 0, 1, 1, 0.52 },
+        { { 0.5, 0.54, 0.53, 0, 0 }, 0, 2, 1, 0.54 }, { { 0.5, 0.54, 0.55, 0, 0 }, 0, 2, 0, 0.55 },
+        { { 0.5, 0.6, 0.7, 0.8, 0.85 }, 0, 4, 0, 0.85 },
+        { { 0.5, 0.6, 0.7, 0.8, 0.75 }, 0, 4, 1, 0.8 }, { { 0.5, 0.5, 0, 0, 0 }, 0, 1, 1, 0.5 }, { { 0.5, 0.6, 0, 0, 0 }, 1, 0, 0, 0.5 }
+    };
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        columns(NOTHING, R(0.5), 1);
+        sp__system *w = L->engine.w;
+        sp__homogeneous *h = &L->engine.h;
+        sp__ipm *m = &h->m;
+        told = 1;
+        lengths = row[k].length + 1;
+        w->budget.spent = row[k].spent;
+        m->reach = R(row[k].length[0]);
+        m->sigma = R(0.1);
+        m->kept = 1;
+        m->along[2] = w->r;
+        h->dl = h->ds = m->dtau = m->dkappa = 77;
+        const sp_real *dy = sp__interior_centre(L);
+        const int solves = (int)(lengths - row[k].length) - 1;
+        CHECK_INT(solves, row[k].solves);
+        CHECK_INT(dy == (row[k].in_d ? w->d : w->r) && dy == m->along[2], 1);
+        CHECK_WITHIN(m->reach, row[k].is, TOL(1e-12, 1e-6));
+        CHECK_INT(m->kept, row[k].in_d ? 2 : 1);
+        CHECK_INT(h->dl > 76 && h->ds > 76 && m->dtau > 76 && m->dkappa > 76, dy == w->r && solves < 2);
+        lengths = NULL;
+        whole();
+    }
+}
+#endif
+
 /* With a metric sizes stay as they are. */
 TEST(sizes_stay_where_there_is_a_metric)
 {
@@ -257,6 +301,9 @@ TEST_LIST(embed)
     RUN(interior_points_end_where_written_here)
     RUN(columns_are_apart_where_loads_let_them)
     RUN(motions_work_as_the_embedding_wants)
+#ifndef SP_REAL_MIXED
+    RUN(steps_are_centred_while_that_makes_them_longer)
+#endif
     RUN(sizes_stay_where_there_is_a_metric)
     RUN(live_loads_care_from_rounding_on)
 #endif

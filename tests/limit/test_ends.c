@@ -477,11 +477,14 @@ TEST(a_limit_leaves_no_motion_without_an_upper_end_and_no_ray_with_one)
 TEST(a_climb_ends_nearer_where_loads_cancel)
 {
     const sp_real half[3] = { 0, 0, W / 2 };
-    for (int k = 0; k < 8; k++) {
+    for (int k = 0; k < 24; k++) {
         const double ref = k & 2 ? 3 : 1, near = (double)SP__STRONG_NEAR / 7 * 2.5;
         limit(NOTHING, half, NULL, R(ref));
         L->best = R(1.5);
-        for (int e = 0; e < 3; e++) L->bracket.live[e] /= L->ref;
+        for (int e = 0; e < 3; e++) {                   /* along each axis */
+            L->bracket.dead[e] = e == k / 8 ? -W : 0;
+            L->bracket.live[e] = e == k / 8 ? W / 2 / L->ref : 0;
+        }
         if (k & 4) L->bracket.dead[3] = W;              /* moments have no share */
         L->r.lower = R(ref * (1.5 - near * (k & 1 ? 1.01 : 0.99)));
         if (sizeof(sp_real) > 4) CHECK_INT(sp__strong_met(L), !(k & 1));
