@@ -278,7 +278,7 @@ TEST(sizes_stay_where_there_is_a_metric)
 /* Live loads that do less than rounding in a motion have no share in it; those that do little have. */
 TEST(live_loads_care_from_rounding_on)
 {
-    for (int k = 0; k < 5; k++) {
+    for (int k = 0; k < 5 && sizeof(sp_real) <= 8; k++) {       /* in quad their balance is beyond all numbers */
         static const double tilt[5] = { 0, 1, 100, 1000, 1e6 };         /* in units of the last place */
         const sp_real live[3] = { W, 0, W };
         opened(NOTHING, live, R(0.5));
