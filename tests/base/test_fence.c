@@ -94,6 +94,10 @@ TEST(building_and_checking_keep_to_their_pieces)
             CHECK(r.verdict != SP_UNDECIDED);
             CHECK_INT(sp_verify(&s, &set, &r, test_arena, &e), SP_OK);
             CHECK_INT(e.verdict, r.verdict);
+#ifndef SP_NO_PLAN
+            sp_outlook o;
+            CHECK_INT(sp_plan(&s, &set, test_arena, &o), SP_OK);
+#endif
             whole();
         }
 }

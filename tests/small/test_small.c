@@ -284,6 +284,154 @@ TEST(a_motion_is_of_numbers_where_nothing_balances_what_bears_no_load)
     CHECK_INT(sp_verify(&scene, NULL, &result, test_arena, &evidence), SP_OK);
 }
 
+/* Stones one after the other between two supports: rows of the first are 1 to 6 numbers of the envelope long, of others 7 to 12. */
+#if !defined SP_NO_PLAN && defined SP_SMALL
+TEST(a_plan_counts_the_squares_of_the_rows_of_the_envelope)
+{
+    for (int n = 4; n < 9; n++) {
+        sp_scene s;
+        sp_outlook o;
+        test_arena.used = 0;
+        NEED(gen_make("arch", "n", n, &test_arena, &s) == SP_OK);
+        NEED(sp_plan(&s, NULL, test_arena, &o) == SP_OK);
+        CHECK_INT(o.unknowns, 6 * n + 3 * 4 * (n + 1));
+        CHECK_INT(o.flops, 5 * (91 + 559 * (n - 1)) + 20 * 900 * 4 * (n + 1));
+        CHECK(o.full_unknowns == o.unknowns && o.full_flops == o.flops && o.full_bytes == o.bytes);
+        CHECK_INT(o.islands, 1);
+        for (int k = 0; k < SP_EFFECTS; k++) CHECK(o.effect[k].unknowns == 0 && o.effect[k].flops == 0 && o.effect[k].bytes == 0);
+        CHECK_INT(o.effect[SP_EFFECT_COUPLED].why, SP_WHY_NOT_ASKED);
+        CHECK_INT(o.effect[SP_EFFECT_DYNAMICS].why, SP_WHY_STATICS);
+        CHECK_INT(sp_plan(&s, NULL, test_arena, NULL), SP_E_ARGUMENT);
+    }
+}
+
+TEST(a_plan_of_one_stone_or_of_supports_alone_has_an_island_or_none)
+{
+    for (int k = 0; k < 2; k++) {
+        const sp_capacity cap = { 1, 0, 0, 0, 0, 0, 0 };
+        const sp_real at[3] = { 1, 2, 3 };
+        sp_scene s;
+        sp_outlook o;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        NEED(sp_scene_body(&s, 5, at, k ? SP_FIXED : 0, NULL) == SP_OK);
+        NEED(sp_plan(&s, NULL, test_arena, &o) == SP_OK);
+        CHECK_INT(o.islands, k ? 0 : 1);
+        CHECK_INT(o.unknowns, k ? 0 : 6);
+        CHECK_INT(o.flops, k ? 0 : 5 * 91);
+    }
+}
+#endif
+
+/* Scratch of which sp_memory itself takes as much as is told, for any number of blocks. */
+TEST(the_bytes_that_asking_for_memory_takes_are_enough)
+{
+    for (int32_t n = 1; n < 6; n++) {
+        const sp_capacity cap = { n, 0, 0, 0, 0, 0, 0 };
+        sp_scene s;
+        size_t bytes = 0;
+        test_arena.used = 0;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        for (int32_t b = 0; b < n; b++) {
+            const sp_real at[3] = { R(b), 0, 0 };
+            CHECK_INT(sp_scene_body(&s, 1, at, 0, NULL), SP_OK);
+        }
+        sp_arena scratch = test_arena;
+        scratch.base += (scratch.used + 15) & ~(size_t)15;
+        scratch.used = 0;
+        scratch.capacity = sp_memory_scratch(&s, SP_FOR_CHECK, NULL);
+        CHECK_INT(sp_memory(&s, SP_FOR_CHECK, NULL, scratch, &bytes), SP_OK);
+        CHECK_INT(sp_memory(&s, SP_FOR_WORK, NULL, scratch, &bytes), SP_OK);
+    }
+}
+
+#ifdef SP_SMALL
+/* The first of many stones touches all others: their rows begin at its first number, 18 n^2 + 3 n numbers. */
+TEST(an_envelope_too_large_to_count_is_refused)
+{
+    const sp_real corner[9] = { 0, 0, 0, 1, 0, 0, 0, 1, 0 };
+    const sp_strength dry = sp_strength_friction((sp_real)0.5);
+    for (int32_t n = 10922; n < 10924; n++) {
+        const sp_capacity cap = { n, 0, 0, 0, n - 1, 3 * (n - 1), 0 };
+        sp_scene s;
+        size_t bytes = 7;
+        test_arena.used = 0;
+        NEED(sp_scene_create(&s, &cap, &test_arena) == SP_OK);
+        for (int32_t b = 0; b < n; b++) {
+            const sp_real at[3] = { 0, 0, b ? 1 : -1 };
+            if (sp_scene_body(&s, 1, at, 0, NULL) || (b && sp_scene_joint(&s, 0, b, 3, corner, &dry, NULL))) break;
+        }
+        NEED(s.count.blocks == n && s.count.joints == n - 1);
+        CHECK_INT(sp_memory(&s, SP_FOR_CHECK, NULL, test_arena, &bytes), n < 10923 ? SP_OK : SP_E_MEMORY);
+        CHECK((bytes == 7) == (n == 10923));
+    }
+}
+#endif
+
+TEST(what_is_no_question_is_refused_and_the_result_untouched)
+{
+    sp_scene s, none;
+    sp_arena a = test_arena, empty;
+    sp_result r;
+    sp_settings set = sp_settings_default();
+    size_t bytes = 7;
+    arch(&s);
+    a = test_arena;
+    memset(&empty, 0, sizeof empty);
+    memset(&r, 7, sizeof r);
+    none = s;
+    none.count.blocks = 0;
+    CHECK_INT(sp_check(NULL, NULL, &a, &r), SP_E_ARGUMENT);
+    CHECK_INT(sp_check(&s, NULL, NULL, &r), SP_E_ARGUMENT);
+    CHECK_INT(sp_check(&s, NULL, &empty, &r), SP_E_ARGUMENT);
+    CHECK_INT(sp_check(&s, NULL, &a, NULL), SP_E_ARGUMENT);
+    CHECK_INT(sp_check(&none, NULL, &a, &r), SP_E_EMPTY);
+    set.work = &empty;
+    CHECK_INT(sp_check(&s, &set, &a, &r), SP_E_ARGUMENT);
+    set.work = NULL;
+    set.tol = -1;
+    CHECK_INT(sp_check(&s, &set, &a, &r), SP_E_RANGE);
+    CHECK(a.used == test_arena.used && r.counts.free_blocks == 0x07070707);
+    for (int k = SP_FOR_CHECK; k <= SP_FOR_WORK; k++) {
+        CHECK_INT(sp_memory(NULL, (sp_memory_for)k, NULL, test_arena, &bytes), SP_E_ARGUMENT);
+        CHECK_INT(sp_memory(&s, (sp_memory_for)k, NULL, empty, &bytes), SP_E_ARGUMENT);
+        CHECK_INT(sp_memory(&s, (sp_memory_for)k, NULL, test_arena, NULL), SP_E_ARGUMENT);
+        CHECK_INT(sp_memory(&none, (sp_memory_for)k, NULL, test_arena, &bytes), SP_E_EMPTY);
+        CHECK_INT(sp_memory(&s, (sp_memory_for)k, &set, test_arena, &bytes), SP_E_RANGE);
+    }
+    CHECK_INT(bytes, 7);
+    CHECK_INT(sp_memory_scratch(NULL, SP_FOR_CHECK, NULL), 0);
+}
+
+#ifdef SP_SMALL
+/* Each in an arena that remembers: what nobody writes is seen. */
+TEST(all_that_a_result_tells_is_written)
+{
+    static const struct { const char *name, *number; double value; sp_verdict verdict; sp_reason reason; } is[] = {
+        { "two-cubes", "offset", 0.3, SP_STABLE, SP_REASON_FORCES }, { "two-cubes", "offset", 0.6, SP_UNSTABLE, SP_REASON_MECHANISM }
+    };
+    for (int k = 0; k < 2; k++) {
+        sp_scene s;
+        sp_result r;
+        test_arena.used = 0;
+        NEED(gen_make(is[k].name, is[k].number, is[k].value, &test_arena, &s) == SP_OK);
+        memset(test_arena.base + test_arena.used, 0xff, 20000);
+        memset(&r, 0xff, sizeof r);
+        NEED(sp_check(&s, NULL, &test_arena, &r) == SP_OK);
+        CHECK(r.verdict == is[k].verdict && r.reason == is[k].reason && r.stage == SP_STAGE_EXACT && r.verified == 1);
+        CHECK_INT(r.level, k ? SP_NONE : SP_ADMISSIBLE);
+        CHECK_INT(r.final, k);
+        CHECK(r.counts.free_blocks == 1 && r.counts.joints == 1 && r.counts.points == 4 && r.islands.count == 1);
+        CHECK(r.extremes.weakest == -1 && r.extremes.tension_ratio == -1 && r.coupled.tension_ratio == -1);
+        CHECK(r.tol > 0 && r.tol < R(1e-3) && r.force_bound > 1);
+        CHECK(r.spent.total.iterations == k && r.spent.total.factorisations == 1 + k && r.spent.total.flops > 0);
+        CHECK(r.demand[0].tension == 0 && r.demand[0].friction == 0);
+        for (int c = 0; c < 6; c++) CHECK(r.dq[c] == 0);
+        for (int c = 6; c < 12 && !k; c++) CHECK(r.dq[c] == 0);
+        for (int c = 0; c < 12; c++) CHECK(r.f[c] - r.f[c] == 0 && r.y0[c] - r.y0[c] == 0);
+    }
+}
+#endif
+
 TEST_LIST(small)
     RUN(the_default_settings_are_taken_by_every_build)
     RUN(pyramids_and_the_tables_of_the_seed_are_refused_by_the_smallest_build)
@@ -298,5 +446,15 @@ TEST_LIST(small)
     RUN(memory_of_a_check_is_exact_and_its_evidence_verifies)
     RUN(stones_without_contact_load_or_freedom_are_told)
     RUN(a_pile_with_many_joints_and_loose_stones_fits_into_memory_by_counts)
+#if !defined SP_NO_PLAN && defined SP_SMALL
+    RUN(a_plan_counts_the_squares_of_the_rows_of_the_envelope)
+    RUN(a_plan_of_one_stone_or_of_supports_alone_has_an_island_or_none)
+#endif
+    RUN(the_bytes_that_asking_for_memory_takes_are_enough)
+#ifdef SP_SMALL
+    RUN(an_envelope_too_large_to_count_is_refused)
+    RUN(all_that_a_result_tells_is_written)
+#endif
+    RUN(what_is_no_question_is_refused_and_the_result_untouched)
     RUN(a_motion_is_of_numbers_where_nothing_balances_what_bears_no_load)
 TEST_END
