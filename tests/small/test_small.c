@@ -341,6 +341,11 @@ TEST(the_bytes_that_asking_for_memory_takes_are_enough)
         scratch.capacity = sp_memory_scratch(&s, SP_FOR_CHECK, NULL);
         CHECK_INT(sp_memory(&s, SP_FOR_CHECK, NULL, scratch, &bytes), SP_OK);
         CHECK_INT(sp_memory(&s, SP_FOR_WORK, NULL, scratch, &bytes), SP_OK);
+        for (; scratch.capacity > 64; scratch.capacity -= 8) {      /* with less the same, or a refusal */
+            size_t told = 0;
+            const sp_status status = sp_memory(&s, SP_FOR_WORK, NULL, scratch, &told);
+            CHECK(status ? status == SP_E_MEMORY && told == 0 : told == bytes);
+        }
     }
 }
 
@@ -432,6 +437,60 @@ TEST(all_that_a_result_tells_is_written)
 }
 #endif
 
+/* An upright drum of n sides, r wide and tall from z on, its ends fans of triangles or one face each. */
+static void drum(sp_scene *s, int32_t n, double r, double z, int fan)
+{
+    sp_real xyz[3 * 64];
+    int32_t size[192], corner[600], faces = 0, corners = 0;
+    for (int32_t v = 0; v < 2 * n; v++) {
+        xyz[3 * v] = R(r * gen_cos(6.283185307179586 * (v % n) / n));
+        xyz[3 * v + 1] = R(r * gen_sin(6.283185307179586 * (v % n) / n));
+        xyz[3 * v + 2] = R(z + (v < n ? 0 : 1));
+    }
+    for (int32_t k = 0; k < n; k++) {                   /* sides */
+        const int32_t next = (k + 1) % n, side[4] = { k, next, n + next, n + k };
+        size[faces++] = 4;
+        for (int c = 0; c < 4; c++) corner[corners++] = side[c];
+    }
+    for (int end = 0; end < 2; end++)
+        for (int32_t k = 0; k < (fan ? n - 2 : 1); k++) {
+            size[faces++] = fan ? 3 : n;
+            for (int32_t c = 0; c < (fan ? 3 : n); c++) {
+                const int32_t v = fan && c ? k + c : c;
+                corner[corners++] = end ? n + v : (n - v) % n;
+            }
+        }
+    const sp_mesh mesh = { 2 * n, faces, xyz, size, corner };
+    CHECK_INT(sp_scene_block(s, &mesh, 1000, 0, NULL), SP_OK);
+}
+
+static sp_contact_report drums(sp_scene *s, int32_t n, double r, int fan)
+{
+    const sp_capacity cap = { 2, 200, 400, 2000, 20, 400, 0 };
+    sp_contact_report report = { 0, 0, 0, 0, NULL };
+    test_arena.used = 0;
+    CHECK_INT(sp_scene_create(s, &cap, &test_arena), SP_OK);
+    drum(s, n, 1, 0, fan);
+    drum(s, n, r, 1, fan);
+    CHECK_INT(sp_contacts_find(s, NULL, test_arena, &report), SP_OK);
+    return report;
+}
+
+/* Faces of more corners than are usual, in one piece or as triangles: hulls of these have no room for all, and go in parts. */
+TEST(drums_touch_in_all_of_the_smaller_end)
+{
+    for (int32_t n = 12; n <= 32; n += 4)
+        for (int fan = 0; fan < 2; fan++) {
+            sp_scene s;
+            double area = 0;
+            const sp_contact_report r = drums(&s, n, 0.75, fan);
+            for (int32_t k = 0; k < s.count.joints; k++) area += (double)s.joint[k].area;
+            CHECK_NEAR(area, 0.5 * n * 0.75 * 0.75 * gen_sin(6.283185307179586 / n), TOL(1e-9, 1e-4));
+            CHECK(r.joints == s.count.joints && (fan ? r.joints >= 1 : r.joints == 1));
+            if (!fan) CHECK_INT(r.points, n);
+        }
+}
+
 TEST_LIST(small)
     RUN(the_default_settings_are_taken_by_every_build)
     RUN(pyramids_and_the_tables_of_the_seed_are_refused_by_the_smallest_build)
@@ -456,5 +515,6 @@ TEST_LIST(small)
     RUN(all_that_a_result_tells_is_written)
 #endif
     RUN(what_is_no_question_is_refused_and_the_result_untouched)
+    RUN(drums_touch_in_all_of_the_smaller_end)
     RUN(a_motion_is_of_numbers_where_nothing_balances_what_bears_no_load)
 TEST_END
