@@ -313,10 +313,28 @@ TEST(drawn_scenes_take_the_work_written_here)
     compare_drawn(rows, sizeof rows / sizeof *rows);
 }
 
-static void compare_limits(const least *rows, size_t n)
+/* `live` is a force on the last stone, beside its middle, and nothing else is. */
+static void load_the_last(sp_scene *s)
+{
+    static sp_load load[1];
+    const int32_t last = s->count.blocks - 1 - (s->block[s->count.blocks - 1].fixed == SP_FIXED);
+    memset(load, 0, sizeof load);
+    load->block = last;
+    load->live = 1;
+    for (int c = 0; c < 3; c++) {
+        load->force[c] = s->body[c];
+        load->point[c] = s->block[last].centroid[c] + R(0.01 * c);
+        s->body[c] = 0;
+    }
+    s->load = load;
+    s->capacity.loads = s->count.loads = 1;
+}
+
+static void compare_limits(const least *rows, size_t n, int one)
 {
     for (size_t k = 0; k < n; k++) {
-        const sp_scene s = scene_of(&rows[k]);
+        sp_scene s = scene_of(&rows[k]);
+        if (one) load_the_last(&s);
         sp_settings set = sp_settings_default();
         sp_limit_result x;
         memset(&x, 0, sizeof x);
@@ -356,7 +374,7 @@ TEST(limits_of_the_smallest_build_take_the_work_written_here)
         { { "two-cubes", "offset", 0.3, 0.84, { 0, 0, -1 }, 0 }, 0, 0, 0, { 13, 2, 0, 0, 44822,
           5408, { 0, -1, 70607.88, 0, 5.2892961e-17 } } }
     };
-    compare_limits(rows, sizeof rows / sizeof *rows);
+    compare_limits(rows, sizeof rows / sizeof *rows, 0);
 }
 
 TEST(limits_of_uneven_stones_take_the_work_written_here)
@@ -383,7 +401,30 @@ TEST(limits_of_uneven_stones_take_the_work_written_here)
         { { "inverted-triangle", "rows", 3, 0.84, { 0, 0, -1 }, 0 }, 0, 0, 0, { 22, 8, 4, 0, 763680,
           22176, { -1, 0, -1, -3.0305385, 0.019470679 } } }
     };
-    compare_limits(rows, sizeof rows / sizeof *rows);
+    compare_limits(rows, sizeof rows / sizeof *rows, 0);
+}
+
+TEST(limits_of_a_load_on_one_stone_take_the_work_written_here)
+{
+    static const least rows[] = {
+        { { "tower", "n", 3, 0.84, { 10000, 300, -100 }, 0 }, 0, 0, 0, { 11, 70, 62, 0, 2842950,
+          11152, { 0.097243186, 0.097243191, 287769.08, 8.6620332, 1.3323808e-09 } } },
+        { { "arch", "n", 5, 0.84, { 0.01, 0, -1 }, 0 }, 0, 1, 0, { 0, 311, 256, 0, 32181937,
+          18112, { -1, -1, -1, 3.0804167, 0 } } },
+        { { "diamond", "rows", 3, 0.84, { 0.001, 0, 0 }, 0 }, 0, 1, 0, { 11, 173, 164, 0, 38486043,
+          34336, { 302334.39, 302334.6, 10134885, 2.9148804, 4.664924e-09 } } },
+        { { "rubble", "bricks", 1, 0.5, { 1000, 0, 500 }, 0 }, 0, 0, 0, { 11, 70, 61, 0, 13315050,
+          33776, { 0.016250617, 0.016250618, 70236.223, 1.2975078, 1.5054017e-09 } } },
+        { { "overhang", "n", 4, 0.84, { 0, 0, -1 }, 0 }, 0, 2, 0, { 22, 6, 2, 0, 289968,
+          14000, { -1, 0, -1, 15.61426, 0.040161403 } } },
+        { { "inverted-triangle", "rows", 3, 0.84, { 0, 0, -100000 }, 0 }, 0, 0, 0, { 22, 17, 13, 0, 1904430,
+          22176, { -1, 0, -1, -3.0305385, 0.019470679 } } },
+        { { "flat-arch", "n", 4, 0.5, { 1, 1, 0 }, 0 }, 0, 3, 0, { 13, 36, 34, 0, 2551248,
+          15200, { 0, -1, 2.1529056e+08, 0, 1.1468941e-10 } } },
+        { { "two-cubes", "offset", 0.3, 0.84, { 0.0001, 0, 0 }, 0 }, 0, 0, 0, { 11, 7, 4, 0, 95677,
+          5408, { 9230769.1, 9230769.3, 34579.758, 2.8, 1.7060566e-09 } } }
+    };
+    compare_limits(rows, sizeof rows / sizeof *rows, 1);
 }
 
 /* Up, down again; at every step what to hold and what is next. Numbers are sums over the steps of all that a step tells. */
@@ -462,6 +503,7 @@ TEST_LIST(least)
     RUN(drawn_scenes_take_the_work_written_here)
     RUN(limits_of_the_smallest_build_take_the_work_written_here)
     RUN(limits_of_uneven_stones_take_the_work_written_here)
+    RUN(limits_of_a_load_on_one_stone_take_the_work_written_here)
     RUN(build_orders_of_the_smallest_build_take_the_work_written_here)
 #endif
 TEST_END
