@@ -143,7 +143,7 @@ static void ask(int k, int glued, sp_scene *s)
     }
 }
 
-#if !defined SP_NO_IPM || defined SP_SMALL
+#if (!defined SP_NO_IPM || defined SP_SMALL) && !defined SP_EXACT_ONLY
 TEST(limits_keep_to_their_pieces)
 {
     for (int k = 0; k < (TEST_SMALL ? 1 : 2) * ASKED; k++) {
@@ -301,7 +301,7 @@ TEST_LIST(fence)
     RUN(a_step_over_the_edge_is_seen)
     RUN(building_and_checking_keep_to_their_pieces)
     RUN_FULL(every_stage_keeps_to_its_pieces)
-#if !defined SP_NO_IPM || defined SP_SMALL
+#if (!defined SP_NO_IPM || defined SP_SMALL) && !defined SP_EXACT_ONLY
     RUN(limits_keep_to_their_pieces)
 #endif
 #ifndef SP_NO_CRA
