@@ -28,7 +28,7 @@ if [ ! -f $table ]; then
     } > $table
 fi
 only=${ONLY:-}                                          # of lines of this script, not of what they run
-unset ONLY
+unset ONLY MAKEFLAGS
 instrument() { sh tests/instruments/instruments.sh "$1"; }
 
 # row NAME SECONDS FIGURE: written in the place of the row of that name, or at the end
