@@ -58,6 +58,18 @@ static void open(void)
     sp__engine_begin(&g, &b, &test_arena);
 }
 
+/* The limit of a scene, not begun. */
+static sp__limit *limit_built(const sp_scene *of)
+{
+    const size_t numbers = sp__limit_room(of);
+    sp_real *number = fenced_take(&test_arena, numbers, sizeof *number);
+    sp__limit *l = fenced_take(&test_arena, 1, sizeof *l);
+    memset(number, 0, numbers * sizeof *number);
+    memset(l, 0, sizeof *l);
+    CHECK_INT(sp__limit_build(l, of, &set, number, &test_arena), SP_OK);
+    return l;
+}
+
 static const sp_real NOTHING[3] = { 0, 0, 0 };
 
 #endif

@@ -18,15 +18,9 @@ static sp__limit *L;
 
 static void begin(const climb *c)
 {
-    const sp_scene made = tally_make(&c->of);
-    const size_t numbers = sp__limit_room(&made);
-    sp_real *number = fenced_take(&test_arena, numbers, sizeof *number);
-    const sp_settings by = sp_settings_default();
-    L = fenced_take(&test_arena, 1, sizeof *L);
-    memset(number, 0, numbers * sizeof *number);
-    memset(L, 0, sizeof *L);
-    s = made;
-    CHECK_INT(sp__limit_build(L, &s, &by, number, &test_arena), SP_OK);
+    s = tally_make(&c->of);
+    set = sp_settings_default();
+    L = limit_built(&s);
     if (c->from > 0) L->best = R(c->from);
     if (c->endless) L->r.kind = SP_LIMIT_UNBOUNDED;
     if (c->left) L->engine.n.left = c->left;

@@ -101,12 +101,7 @@ static void aloud(void)
 /* The limit of scene s, multiples in units of 1. */
 static void begin(void)
 {
-    const size_t numbers = sp__limit_room(&s);
-    sp_real *number = fenced_take(&test_arena, numbers, sizeof *number);
-    L = fenced_take(&test_arena, 1, sizeof *L);
-    memset(number, 0, numbers * sizeof *number);
-    memset(L, 0, sizeof *L);
-    CHECK_INT(sp__limit_build(L, &s, &set, number, &test_arena), SP_OK);
+    L = limit_built(&s);
     L->ref = 1;
     memset(L->upper, 0, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->upper);
     memset(L->lower, 0, 6 * (size_t)L->bracket.pb.blocks * sizeof *L->lower);

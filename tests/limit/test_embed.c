@@ -105,12 +105,7 @@ static int world_falls(sp__bracket *b, sp_real lambda, int beyond, sp_real *all)
 static void opened(const sp_real dead[3], const sp_real live[3], sp_real ref)
 {
     cube(dead, live, 0, NULL);
-    const size_t numbers = sp__limit_room(&s);
-    sp_real *number = fenced_take(&test_arena, numbers, sizeof *number);
-    L = fenced_take(&test_arena, 1, sizeof *L);
-    memset(number, 0, numbers * sizeof *number);
-    memset(L, 0, sizeof *L);
-    CHECK_INT(sp__limit_build(L, &s, &set, number, &test_arena), SP_OK);
+    L = limit_built(&s);
     if (ref > 0) L->ref = ref;
     told = 0;
     CHECK_INT(sp__limit_open(L, &test_arena), SP_OK);

@@ -13,12 +13,7 @@ static const sp_strength GLUED = { R(0.5), R(1e12), R(1e12), 0 };
 static void limit(const sp_real dead[3], const sp_real live[3], const sp_strength *strength, sp_real ref)
 {
     cube(dead, live, 0, strength);
-    const size_t numbers = sp__limit_room(&s);
-    sp_real *number = fenced_take(&test_arena, numbers, sizeof *number);
-    L = fenced_take(&test_arena, 1, sizeof *L);
-    memset(number, 0, numbers * sizeof *number);
-    memset(L, 0, sizeof *L);
-    CHECK_INT(sp__limit_build(L, &s, &set, number, &test_arena), SP_OK);
+    L = limit_built(&s);
     L->ref = ref;
 }
 

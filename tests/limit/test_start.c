@@ -107,12 +107,7 @@ static const sp_real UP[3] = { 0, 0, 10 * W };
 static void cast(const world *w, const sp_real live[3], const sp_strength *strength)
 {
     cube(NOTHING, live, 0, strength);
-    const size_t numbers = sp__limit_room(&s);
-    sp_real *number = fenced_take(&test_arena, numbers, sizeof *number);
-    L = fenced_take(&test_arena, 1, sizeof *L);
-    memset(number, 0, numbers * sizeof *number);
-    memset(L, 0, sizeof *L);
-    CHECK_INT(sp__limit_build(L, &s, &set, number, &test_arena), SP_OK);
+    L = limit_built(&s);
     here = *w;
     runs = sharpened = proofs = questions = alone = climbs = 0;
 }
