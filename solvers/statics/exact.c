@@ -54,9 +54,10 @@ static sp_real sp__nearer_step(sp__system *w, sp_real s, const sp_real *p)
  *   d <- G^-1 r,   p <- d + b p,   b = d.(r - r_old / 4) / p.(r_old - r),   y <- y - s p
  *
  * for joints that open or slide resist no more than if they held, so G is at least as much as any Hessian [Boehning, Lindsay
- * 1988]. b is between Hestenes and Stiefel's of 1952 and Dai and Yuan's of 1999; s is the last one, corrected once by the
- * slopes at both ends. What stands soon has most joints open that will be. Where the slope grows beyond the first D has no
- * minimum: y goes ever farther along a mechanism, and proves it. Where it does not, Newton begins where this began. */
+ * 1988]. b is between Hestenes and Stiefel's of 1952, which it is in 3 rows, and Dai and Yuan's of 1999; s is the last one,
+ * corrected once by the slopes at both ends. What stands soon has most joints open that will be. Where the slope grows beyond
+ * the first D has no minimum: y goes ever farther along a mechanism, and proves it. Where it does not, or in 3 rows, where
+ * Newton's factors are cheap, Newton begins where this began. */
 SP__NOINLINE static void sp__exact_nearer(sp__system *w, sp__newton *n, sp_state *state)
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
@@ -67,7 +68,7 @@ SP__NOINLINE static void sp__exact_nearer(sp__system *w, sp__newton *n, sp_state
     if (w->singular || pays < SP__NEARER_PAYS) return;
     for (int it = 0; it < most && n->imbalance > goal && !n->proved && !w->budget.spent; it++) {
         sp__system_solve_roughly(w, w->r, w->d);
-        const sp_real slope = sp__dot(w->r, w->d, size), change = slope - kept / 4;
+        const sp_real slope = sp__dot(w->r, w->d, size), change = slope - (sp__reduced(w) ? kept : kept / 4);
         const sp_real b = bend > 0 && change > 0 ? change / bend : 0;
         for (size_t k = 0; k < size; k++) p[k] = w->d[k] + (it ? b * p[k] : 0);
         const sp_real start = sp__dot(w->r, p, size);
@@ -84,7 +85,7 @@ SP__NOINLINE static void sp__exact_nearer(sp__system *w, sp__newton *n, sp_state
         if (!it) first = slope;
         if (!falls && slope > first) {
             falls = 1;
-            most = 2 * pays < SP__NEARER_FALLS ? (int)(2 * pays) : SP__NEARER_FALLS;
+            most = sp__reduced(w) ? 0 : 2 * pays < SP__NEARER_FALLS ? (int)(2 * pays) : SP__NEARER_FALLS;
         }
         if (falls) sp__newton_record_proof(w, n, w->y, state);
     }
