@@ -20,7 +20,7 @@ typedef struct world {
 } world;
 
 static world here;
-static sp__limit *L;
+static sp__limit *lim;
 static int told;                                        /* else they answer as they do */
 static int factors, forces, proofs, rays, seen;
 static sp_real motion[4][6];                            /* candidates, in turn */
@@ -29,15 +29,15 @@ static const double *lengths;                           /* of steps, in turn, in
 static void world_factor(sp__system *w, sp__law law, const sp_real *y, sp_real shift)
 {
     if (!told) { sp__system_factor(w, law, y, shift); return; }
-    sp__engine *g = &L->engine;
+    sp__engine *g = &lim->engine;
     factors++;
     CHECK(!g->h.m.outside && law == SP__INTERIOR);
     g->h.m.tau = g->h.m.kappa = g->h.s = 1;
     g->h.m.gap = 1;
     g->h.l = R(here.l);
     g->h.m.theta = R(here.theta);
-    L->best = here.best < 1e9 ? R(here.best) : SP__HUGE;
-    L->none = here.none;
+    lim->best = here.best < 1e9 ? R(here.best) : SP__HUGE;
+    lim->none = here.none;
     g->h.m.outside = (int16_t)(here.outside && factors >= here.outside);
     w->budget.spent = here.spent && factors >= here.spent;
 }
@@ -105,10 +105,10 @@ static int world_falls(sp__bracket *b, sp_real lambda, int beyond, sp_real *all)
 static void opened(const sp_real dead[3], const sp_real live[3], sp_real ref)
 {
     cube(dead, live, 0, NULL);
-    L = limit_built(&s);
-    if (ref > 0) L->ref = ref;
+    lim = limit_built(&s);
+    if (ref > 0) lim->ref = ref;
     told = 0;
-    CHECK_INT(sp__limit_open(L, &test_arena), SP_OK);
+    CHECK_INT(sp__limit_open(lim, &test_arena), SP_OK);
     factors = forces = proofs = rays = seen = 0;
 }
 
@@ -144,23 +144,23 @@ TEST(interior_points_end_where_written_here)
         opened(NOTHING, UP, R(0.5));
         here = row[k].of;
         told = 1;
-        L->engine.n.left = row[k].left;
-        L->engine.h.m.outside = 1;
-        L->r.imbalance = 9;
-        const sp_cost cost = L->bracket.cost;
-        CHECK_INT(sp__interior_run(L), row[k].is);
+        lim->engine.n.left = row[k].left;
+        lim->engine.h.m.outside = 1;
+        lim->r.imbalance = 9;
+        const sp_cost cost = lim->bracket.cost;
+        CHECK_INT(sp__interior_run(lim), row[k].is);
         const int steps = factors - (here.spent > 0);   /* what did not fit is not counted */
         CHECK_INT(factors, row[k].factors);
         CHECK_INT(forces, row[k].forces);
         CHECK_INT(rays, row[k].rays);
         CHECK_INT(proofs, row[k].proofs);
-        CHECK_INT(L->engine.h.m.ray, 0);
-        CHECK_INT(L->engine.n.left, row[k].left - steps);
-        CHECK_INT(L->bracket.cost.iterations - cost.iterations, steps);
-        CHECK_INT(L->bracket.cost.interior - cost.interior, steps);
-        CHECK_INT(L->r.kind, row[k].kind);
-        CHECK_WITHIN(L->r.lower, row[k].lower < 0 ? -1 : row[k].lower / 2, TOL(1e-12, 1e-6));
-        CHECK_WITHIN(L->r.imbalance, row[k].lower < 0 ? 9 : 0.25 * forces, 0);
+        CHECK_INT(lim->engine.h.m.ray, 0);
+        CHECK_INT(lim->engine.n.left, row[k].left - steps);
+        CHECK_INT(lim->bracket.cost.iterations - cost.iterations, steps);
+        CHECK_INT(lim->bracket.cost.interior - cost.interior, steps);
+        CHECK_INT(lim->r.kind, row[k].kind);
+        CHECK_WITHIN(lim->r.lower, row[k].lower < 0 ? -1 : row[k].lower / 2, TOL(1e-12, 1e-6));
+        CHECK_WITHIN(lim->r.imbalance, row[k].lower < 0 ? 9 : 0.25 * forces, 0);
         whole();
     }
 }
@@ -169,19 +169,19 @@ TEST(interior_points_end_where_written_here)
 static sp_real columns(const sp_real dead[3], sp_real ref, sp_real l)
 {
     opened(dead, UP, ref);
-    sp__interior_start(L);
-    L->engine.h.l = l;
-    L->engine.h.m.mu = 1;
-    sp__system_factor(L->engine.w, SP__INTERIOR, L->engine.w->y, SP__IPM_SHIFT);
-    sp__interior_columns(L);
-    return L->engine.at;
+    sp__interior_start(lim);
+    lim->engine.h.l = l;
+    lim->engine.h.m.mu = 1;
+    sp__system_factor(lim->engine.w, SP__INTERIOR, lim->engine.w->y, SP__IPM_SHIFT);
+    sp__interior_columns(lim);
+    return lim->engine.at;
 }
 
 TEST(columns_are_apart_where_loads_let_them)
 {
     for (int k = 0; k < 3; k++) {
         CHECK_NEAR(columns(NOTHING, R(0.5), (sp_real)k + 1), 1, TOL(1e-9, 1e-4));       /* W down, 2 W / 2 up */
-        const sp__engine *g = &L->engine;
+        const sp__engine *g = &lim->engine;
         CHECK_WITHIN(sp__system_work(g->w, g->Vq) / sp__dot(g->q, g->Vq, 6), 0, TOL(1e-9, 1e-4));
         CHECK_NEAR(columns(NOTHING, TOL(R(1e-6), R(1e-5)), (sp_real)k + 1), 1000 * (k + 2), TOL(1e-12, 1e-6));
         const sp_real up[3] = { 0, 0, 2 * W };
@@ -196,7 +196,7 @@ TEST(motions_work_as_the_embedding_wants)
     const sp_real push[3] = { W / 5, W / 10, 0 }, aside[3] = { W / 4, 0, 0 };
     for (int k = 0; k < 4; k++) {
         columns(k & 1 ? push : aside, k & 2 ? R(0.7) : R(0.2), R(0.6));
-        sp__engine *g = &L->engine;
+        sp__engine *g = &lim->engine;
         sp__homogeneous *h = &g->h;
         const size_t n = 6;
         g->w->y[2] = R(0.1);
@@ -206,13 +206,13 @@ TEST(motions_work_as_the_embedding_wants)
         h->m.sigma = 5;
         h->m.corrected = 1;
         seen = 0;
-        sp__interior_motions(L);
+        sp__interior_motions(lim);
         CHECK_INT(seen, 3);
         CHECK_WITHIN(h->m.sigma, 0, 0);
         CHECK_INT(h->m.corrected, 0);
         for (size_t e = 0; e < n; e++) CHECK_WITHIN(motion[0][e], e == 2 ? R(0.1) : 0, 0);
         for (int q = 1; q < 3; q++) CHECK_WITHIN(sp__dot(g->q, motion[q], n), -2, TOL(1e-8, 1e-3));
-        sp__limit_loads(L, 0);
+        sp__limit_loads(lim, 0);
         CHECK_WITHIN(sp__system_work(g->w, motion[2]), 0.3, TOL(1e-6, 1e-2));
         whole();
     }
@@ -231,8 +231,8 @@ TEST(steps_are_centred_while_that_makes_them_longer)
     };
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
         columns(NOTHING, R(0.5), 1);
-        sp__system *w = L->engine.w;
-        sp__homogeneous *h = &L->engine.h;
+        sp__system *w = lim->engine.w;
+        sp__homogeneous *h = &lim->engine.h;
         sp__ipm *m = &h->m;
         told = 1;
         lengths = row[k].length + 1;
@@ -242,7 +242,7 @@ TEST(steps_are_centred_while_that_makes_them_longer)
         m->kept = 1;
         m->along[2] = w->r;
         h->dl = h->ds = m->dtau = m->dkappa = 77;
-        const sp_real *dy = sp__interior_centre(L);
+        const sp_real *dy = sp__interior_centre(lim);
         const int solves = (int)(lengths - row[k].length) - 1;
         CHECK_INT(solves, row[k].solves);
         CHECK_INT(dy == (row[k].in_d ? w->d : w->r) && dy == m->along[2], 1);
@@ -260,11 +260,11 @@ TEST(sizes_stay_where_there_is_a_metric)
 {
     for (int k = 0; k < 3; k++) {
         opened(NOTHING, UP, R(0.5));
-        sp__system *w = L->engine.w;
+        sp__system *w = lim->engine.w;
         w->measure.metric = k == 0 ? 0 : R(0.75) * (sp_real)k;
         w->measure.size[0] = 77;
-        sp__limit_loads(L, 3);
-        sp__limit_sizes(L);
+        sp__limit_loads(lim, 3);
+        sp__limit_sizes(lim);
         CHECK_INT(w->measure.size[0] < 77 || w->measure.size[0] > 77, k == 0);
         whole();
     }
@@ -278,13 +278,13 @@ TEST(live_loads_care_from_rounding_on)
         const sp_real live[3] = { W, 0, W };
         opened(NOTHING, live, R(0.5));
         sp_real y[6] = { 0, 0, 0, 0, 0, 0 };
-        for (int e = 0; e < 6; e++) L->engine.q[e] = e == 0 || e == 2;
+        for (int e = 0; e < 6; e++) lim->engine.q[e] = e == 0 || e == 2;
         y[0] = 1;
         y[2] = -1 - R(tilt[k]) * (sp_real)SP_EPSILON;
-        L->best = SP__HUGE;
-        L->slack = 0;
-        sp__limit_candidate(L, y);
-        CHECK_INT(L->best < SP__HUGE, k > 2);
+        lim->best = SP__HUGE;
+        lim->slack = 0;
+        sp__limit_candidate(lim, y);
+        CHECK_INT(lim->best < SP__HUGE, k > 2);
         whole();
     }
 }
