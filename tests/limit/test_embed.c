@@ -181,8 +181,8 @@ TEST(columns_are_apart_where_loads_let_them)
 {
     for (int k = 0; k < 3; k++) {
         CHECK_NEAR(columns(NOTHING, R(0.5), (sp_real)k + 1), 1, TOL(1e-9, 1e-4));       /* W down, 2 W / 2 up */
-        const sp__engine *g = &lim->engine;
-        CHECK_WITHIN(sp__system_work(g->w, g->Vq) / sp__dot(g->q, g->Vq, 6), 0, TOL(1e-9, 1e-4));
+        const sp__engine *e = &lim->engine;
+        CHECK_WITHIN(sp__system_work(e->w, e->Vq) / sp__dot(e->q, e->Vq, 6), 0, TOL(1e-9, 1e-4));
         CHECK_NEAR(columns(NOTHING, TOL(R(1e-6), R(1e-5)), (sp_real)k + 1), 1000 * (k + 2), TOL(1e-12, 1e-6));
         const sp_real up[3] = { 0, 0, 2 * W };
         CHECK_NEAR(columns(up, TOL(R(1e-6), R(1e-5)), (sp_real)k + 1), -1000 * (k + 2), TOL(1e-12, 1e-6));
@@ -196,10 +196,10 @@ TEST(motions_work_as_the_embedding_wants)
     const sp_real push[3] = { W / 5, W / 10, 0 }, aside[3] = { W / 4, 0, 0 };
     for (int k = 0; k < 4; k++) {
         columns(k & 1 ? push : aside, k & 2 ? R(0.7) : R(0.2), R(0.6));
-        sp__engine *g = &lim->engine;
-        sp__homogeneous *h = &g->h;
+        sp__engine *e = &lim->engine;
+        sp__homogeneous *h = &e->h;
         const size_t n = 6;
-        g->w->y[2] = R(0.1);
+        e->w->y[2] = R(0.1);
         h->m.tau = R(0.75);
         h->m.kappa = R(0.3);
         h->s = R(1.25);
@@ -210,10 +210,10 @@ TEST(motions_work_as_the_embedding_wants)
         CHECK_INT(seen, 3);
         CHECK_WITHIN(h->m.sigma, 0, 0);
         CHECK_INT(h->m.corrected, 0);
-        for (size_t e = 0; e < n; e++) CHECK_WITHIN(motion[0][e], e == 2 ? R(0.1) : 0, 0);
-        for (int q = 1; q < 3; q++) CHECK_WITHIN(sp__dot(g->q, motion[q], n), -2, TOL(1e-8, 1e-3));
+        for (size_t i = 0; i < n; i++) CHECK_WITHIN(motion[0][i], i == 2 ? R(0.1) : 0, 0);
+        for (int q = 1; q < 3; q++) CHECK_WITHIN(sp__dot(e->q, motion[q], n), -2, TOL(1e-8, 1e-3));
         sp__limit_loads(lim, 0);
-        CHECK_WITHIN(sp__system_work(g->w, motion[2]), 0.3, TOL(1e-6, 1e-2));
+        CHECK_WITHIN(sp__system_work(e->w, motion[2]), 0.3, TOL(1e-6, 1e-2));
         whole();
     }
 }

@@ -31,7 +31,7 @@ typedef struct world {
 } world;
 
 static world here;
-static int runs, sharpened, proofs, questions, alone, climbs;
+static int runs, sharpened, proofs, questions, alone, climbed;
 
 static int world_run(sp__limit *L)
 {
@@ -46,7 +46,7 @@ static int world_run(sp__limit *L)
 
 static int world_climb(sp__limit *L)
 {
-    climbs++;
+    climbed++;
     runs--;
     L->best = L->slack = 7;
     L->bracket.dq[0] = 7;
@@ -109,7 +109,7 @@ static void cast(const world *w, const sp_real live[3], const sp_strength *stren
     cube(NOTHING, live, 0, strength);
     L = limit_built(&s);
     here = *w;
-    runs = sharpened = proofs = questions = alone = climbs = 0;
+    runs = sharpened = proofs = questions = alone = climbed = 0;
 }
 
 /* By live loads, where those make it fall, by dead ones below 0; twice the motion is as good and is not taken then. */
@@ -200,9 +200,9 @@ typedef struct begun {
 
 static void start(const begun *r)
 {
-    const sp_real lift[3] = { 0, 0, (sp_real)r->live * W };
+    const sp_real up[3] = { 0, 0, (sp_real)r->live * W };
     int done = 0;
-    cast(&r->of, lift, r->strong ? &GLUED : NULL);
+    cast(&r->of, up, r->strong ? &GLUED : NULL);
     sp_arena room = test_arena;
     L->engine.most = 300;
     L->bracket.dq[0] = 2;
@@ -210,7 +210,7 @@ static void start(const begun *r)
     CHECK_INT(done, r->done);
     CHECK_INT(L->none, r->none);
     CHECK_INT(L->r.kind, r->kind);
-    const int counts[5] = { runs, alone, questions, climbs, L->engine.most };
+    const int counts[5] = { runs, alone, questions, climbed, L->engine.most };
     const int is[5] = { r->runs, r->alone, r->questions, r->climbs, r->most };
     for (int k = 0; k < 5; k++) CHECK_INT(counts[k], is[k]);
     CHECK_WITHIN(L->best < SP__HUGE ? L->best : -1, r->best, 0);
@@ -251,7 +251,7 @@ TEST(a_balance_below_0_is_no_start_of_a_climb)
         L->best = R(k);
         L->engine.most = k < 0 ? 40 : 160;
         CHECK_INT(sp__limit_start(L, &room, &done), SP_OK);
-        CHECK_INT(climbs, k >= 0);
+        CHECK_INT(climbed, k >= 0);
         CHECK_INT(L->engine.most, k < 0 ? 40 : 160);
         CHECK_INT(alone, 0);
         whole();
