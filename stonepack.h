@@ -534,7 +534,7 @@ struct sp_result {
 struct sp_evidence {
     sp_verdict verdict;         /* proved by claim->f (STABLE) or claim->dq (UNSTABLE), else UNDECIDED */
     int32_t final;              /* as in sp_result, and so the next two [1] */
-    sp_real imbalance, least_imbalance;
+    sp_real imbalance, least_imbalance;         /* the first of the claim's forces, their ft shortened onto the cone */
     sp_level level;             /* of a STABLE, else SP_NONE; coupled: the triple proves that, too */
     sp_real residual;           /* of the triple, proved where <= 1; 0 where none was asked for or claimed [1] */
     sp_real margin;             /* of a proof that there is no triple; the verdict then is UNSTABLE; 0: no such proof [1] */

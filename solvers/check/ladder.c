@@ -48,7 +48,7 @@ SP__NOINLINE static sp_verdict sp__verdict_proved(sp__certifier *j, int best, sp
     }
     if (claim != SP_UNSTABLE && imbalance <= r->tol) return SP_STABLE;
     if (claim == SP_STABLE) return SP_UNDECIDED;
-    const sp_real least = sp__certify_mechanism(j, state->dq, r->islands.count > 1, &final);
+    const sp_real least = sp__certify_mechanism(j, state->dq, r->islands.count > 1 ? SP__TOGETHER : 0, &final);
     if (best && least < r->least_imbalance) return SP_UNDECIDED;
     r->least_imbalance = least;
     const int falls = least > r->tol || final;

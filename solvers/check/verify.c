@@ -153,7 +153,7 @@ SP_API sp_status sp_verify(const sp_scene *scene, const sp_settings *settings, c
     sp_evidence e = { SP_UNDECIDED, 0, 0, 0, SP_NONE, 0, 0 };
     sp__motion_read(&c->pb, claim->dq, dq);
     e.imbalance = sp__certify_forces(&j, claim->f, NULL);
-    e.least_imbalance = sp__certify_mechanism(&j, dq, 0, &e.final);
+    e.least_imbalance = sp__certify_mechanism(&j, dq, SP__READ, &e.final);
     if (e.imbalance <= c->set.tol) e.verdict = SP_STABLE;
     else if (e.least_imbalance > c->set.tol || (SP__WITH_LARGE && e.final)) e.verdict = SP_UNSTABLE;
     if (e.verdict != SP_UNSTABLE) e.final = 0;

@@ -165,11 +165,16 @@ SP__NOINLINE static sp_real sp__certifier_work(const sp__certifier *j, sp_real *
     return work;
 }
 
+/* Rounding of a motion and of its rates at corners [SP_EPSILON]. Whoever reads a motion that was written in the scene's units
+ * allows more than who wrote it, so that what was final is. */
+enum { SP__ROUNDING = 224, SP__READ = 32, SP__TOGETHER = 1 };
+
 /* How far a motion is a proof: (p . dq - sum c_v |P_K(u_v)|) / sum (sbar_i |v_i| + Sbar_i |w_i|), u = -Aeq' dq, where blocks
  * that move less than `rest` of the largest motion are held. A value above tol proves that no force state of this cone within
- * its caps comes nearer to equilibrium than that value. *final: no contact resists at all.
+ * its caps comes nearer to equilibrium than that value. *final: no contact resists at all, but for so much rounding.
  * The held motion is left in j->dual.motion. */
-SP__NOINLINE static sp_real sp__certify_motion(sp__certifier *j, const sp_real *dq, sp_real rest, int32_t *final)
+SP__NOINLINE static sp_real sp__certify_motion_within(sp__certifier *j, const sp_real *dq, sp_real rest, int how,
+                                                     int32_t *final)
 {
     const sp_problem *pb = j->pb;
     *final = 0;
@@ -183,11 +188,12 @@ SP__NOINLINE static sp_real sp__certify_motion(sp__certifier *j, const sp_real *
         const sp_real cap = sp__certifier_force_cap(j, t);
         const sp_real moved = sp__certifier_displacement(j, t->a) + sp__certifier_displacement(j, t->b);
         for (int32_t v = t->point; v < t->point + t->points; v++) {
-            sp_real w[3];
-            sp__vertex_velocity(pb, NULL, t, v, j->dual.motion, w);
-            sp__joint_frame(t->joint, w, w);
-            const sp_real u[3] = { -w[0], -w[1], -w[2] }, P = sp__certifier_cone_resistance(j, t, u);
-            int capped = P > 256 * (sp_real)SP_EPSILON * moved;         /* below that: rounding of dq and u */
+            sp_real u[3];
+            sp__vertex_velocity(pb, NULL, t, v, j->dual.motion, u);
+            sp__joint_frame(t->joint, u, u);
+            sp__scale3(-1, u, u);
+            const sp_real P = sp__certifier_cone_resistance(j, t, u);
+            int capped = P > (sp_real)(SP__ROUNDING + (how & SP__READ)) * (sp_real)SP_EPSILON * moved;
             if (!SP__HAS_STRENGTH || !sp__contact_strong(pb, t)) resist += cap * P;
             else resist += sp__certifier_strength_resistance(j, t, u, P, cap, &capped);
             if (capped) *final = 0;
@@ -197,6 +203,11 @@ SP__NOINLINE static sp_real sp__certify_motion(sp__certifier *j, const sp_real *
     j->resist = resist;
     if (SP__HAS_STRENGTH && j->set->faces && j->set->inscribed) *final = 0;
     return work > resist ? sp__ratio(work - resist, scale) : 0;
+}
+
+static sp_real sp__certify_motion(sp__certifier *j, const sp_real *dq, sp_real rest, int32_t *final)
+{
+    return sp__certify_motion_within(j, dq, rest, 0, final);
 }
 
 /* Shares of the largest motion below which blocks are held. */
@@ -211,9 +222,10 @@ SP__NOINLINE static int32_t sp__certify_rank(const sp__certifier *j, sp_real val
 }
 
 /* The best proof a motion gives, a final one before others, with smaller motions held. It is left in j->dual.motion.
- *   together: of several islands, each held so by itself: none is dropped unless what is left proves more than all
+ *   how      SP__READ: the motion was read; SP__TOGETHER: of several islands, each held so by itself, and none is dropped unless
+ *            what is left proves more than all
  *   *final: no contact resists, and it proves UNSTABLE, be its value within tol or not */
-static sp_real sp__certify_mechanism(sp__certifier *j, const sp_real *dq, int together, int32_t *final)
+static sp_real sp__certify_mechanism(sp__certifier *j, const sp_real *dq, int how, int32_t *final)
 {
     sp_real best = -1, value = -1;
     int32_t rank = -1, last = 0, before = -2, held = 0;
@@ -221,12 +233,12 @@ static sp_real sp__certify_mechanism(sp__certifier *j, const sp_real *dq, int to
         const int32_t still = sp__certifier_hold_small(j, dq, sp__certify_rest[k]);
         if (still == before) continue;                  /* the same motion */
         before = still;
-        value = sp__certify_motion(j, dq, sp__certify_rest[k], final);
+        value = sp__certify_motion_within(j, dq, sp__certify_rest[k], how, final);
         const int32_t now = sp__certify_rank(j, value, *final);
-        last = now > rank || (now == rank && value > best && !together);
+        last = now > rank || (now == rank && value > best && !(how & SP__TOGETHER));
         if (last) { best = value; held = k; rank = now; }
     }
-    if (!last) value = sp__certify_motion(j, dq, sp__certify_rest[held], final);
+    if (!last) value = sp__certify_motion_within(j, dq, sp__certify_rest[held], how, final);
     *final = rank & 1;
     return value;
 }

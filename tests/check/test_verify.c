@@ -356,6 +356,29 @@ TEST(evidence_says_what_was_proved_and_no_more)
     CHECK(finals > 0);
 }
 
+/* Two bodies fall side by side and press on each other by rounding. 480 units of the last place are no resistance to who reads
+ * them (512 are), and too many for who wrote them (448 are): what a check calls final stays final when its motion is read. */
+TEST(a_motion_is_final_with_the_rounding_of_being_written_and_read)
+{
+    const sp_capacity room = { 2, 0, 0, 0, 1, 1, 0 };
+    const sp_strength rough = sp_strength_friction(R(0.5));
+    const sp_real n[3] = { 1, 0, 0 }, at[2][3] = { { 0, 0, 0 }, { 1, 0, 0 } }, x[3] = { R(0.5), 0, 0 };
+    for (int units = 480; units < 540; units += 40) {
+        sp_scene s;
+        sp_evidence e;
+        test_arena.used = 0;
+        NEED(CHECK_INT(sp_scene_create(&s, &room, &test_arena), SP_OK));
+        for (int b = 0; b < 2; b++) CHECK_INT(sp_scene_body(&s, 1, at[b], 0, NULL), SP_OK);
+        CHECK_INT(sp_scene_points(&s, 0, 1, n, 1, x, &rough, NULL), SP_OK);
+        sp_result r = empty_claim(&s);
+        r.dq[2] = r.dq[8] = -1;
+        r.dq[0] = (sp_real)SP_EPSILON * R(units);
+        NEED(CHECK_INT(sp_verify(&s, NULL, &r, test_arena, &e), SP_OK));
+        CHECK_INT(e.verdict, SP_UNSTABLE);
+        CHECK_INT(e.final, units < 512);
+    }
+}
+
 /* Forces short by a share are out of balance by it; they prove what stands with a tol that is no less, and not with a lesser. */
 TEST(an_imbalance_of_just_tol_is_balanced)
 {
@@ -583,6 +606,7 @@ TEST_LIST(verify)
 #endif
     RUN(a_force_bound_below_what_stands_proves_no_fall)
     RUN(evidence_says_what_was_proved_and_no_more)
+    RUN(a_motion_is_final_with_the_rounding_of_being_written_and_read)
     RUN(an_imbalance_of_just_tol_is_balanced)
     RUN(what_a_motion_leaves_unbalanced_by_just_tol_may_stand)
 #if !defined SP_SMALL && !defined SP_NO_CRA && !defined SP_EXACT_ONLY

@@ -130,7 +130,7 @@ static void wide_forces(int32_t blocks, int32_t points, int32_t faces, int turne
     sp_arena a = memory_of(0);
     wide_open(blocks, points, faces, turned, &a);
     sp__certify_forces(&judge, f, spare);
-    sp__certify_mechanism(&judge, dq, any_whole(0, 1), &final);
+    sp__certify_mechanism(&judge, dq, any_whole(0, 1) ? SP__TOGETHER : 0, &final);
     sp__motion_write(&judge, dq);
     sp__certify_pressure(&judge, f, spare);
 }

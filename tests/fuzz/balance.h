@@ -91,6 +91,16 @@ static void carried(const sp_joint *j, const sp_real *f)
     if (j->strength.crushing > 0) HOLDS((double)f[0] <= (double)j->strength.crushing * area + rounding, "fn %g", (double)f[0]);
 }
 
+/* A corner's force as its joint can carry it, without crushing: fn kept, no tension beyond its strength, ft shortened. */
+static void admitted(const sp_joint *j, const sp_real *f, sp_real *out)
+{
+    const double area = (double)j->area / j->points, slip = hypot((double)f[1], (double)f[2]);
+    const double pull = (double)j->strength.tension * area, fn = (double)f[0] > -pull ? (double)f[0] : -pull;
+    const double room = fmax(0, (double)j->strength.mu * fn + (double)j->strength.cohesion * area);
+    out[0] = (sp_real)fn;
+    for (int k = 1; k < 3; k++) out[k] = (sp_real)((double)f[k] * (slip > room ? room / slip : 1));
+}
+
 /* What forces leave of the loads, of the block that fares worst: relative to all that acts on it, in its free directions. */
 static double left(const sp_scene *s, const sp_real *f)
 {

@@ -29,8 +29,34 @@ static sp_evidence proved(const sp_scene *s, const sp_result *claim)
     return e;
 }
 
+/* Forces of a result, up to twice as much of them along their joints, none longer than it was: within the largest force that
+ * counts, and beyond the cone. */
+static void forces_of_bytes(const sp_scene *s, const sp_real *from, const uint8_t *data, size_t size, sp_real *f)
+{
+    for (int32_t v = 0; v < s->count.points; v++) {
+        double was[3], is[3];
+        for (int k = 0; k < 3; k++) {
+            was[k] = (double)from[3 * v + k];
+            is[k] = was[k] * (1 + (k ? data[(size_t)(3 * v + k) % size] / 256.0 : 0));
+        }
+        const double share = length(is) > 0 ? length(was) / length(is) : 1;
+        for (int k = 0; k < 3; k++) f[3 * v + k] = (sp_real)(share * is[k]);
+    }
+}
+
+/* What is told of forces is not less than what they leave, made admissible and summed anew. */
+static void leaves_no_less(const sp_scene *s, const sp_real *f, double imbalance)
+{
+    static sp_real g[3 * VERTICES];
+    for (int32_t q = 0; q < s->count.joints; q++)
+        for (int32_t v = s->joint[q].point; v < s->joint[q].point + s->joint[q].points; v++)
+            admitted(&s->joint[q], f + 3 * v, g + 3 * v);
+    const double least = left(s, g) * (1 - 1e-6) - 1e-12;
+    HOLDS(imbalance >= least, "told to leave %g, leaves %g", imbalance, least);
+}
+
 /* Evidence of the other verdict is never believed: of what stands each block pushed and turned along each axis, and motions
- * and forces of bytes for both. What is told of forces is not less than what they leave, summed anew. */
+ * and forces of bytes for both. */
 static void forged(const sp_scene *s, const sp_result *r, const uint8_t *data, size_t size)
 {
     static sp_real dq[6 * SP_FUZZ_BLOCKS], f[3 * VERTICES];
@@ -40,8 +66,7 @@ static void forged(const sp_scene *s, const sp_result *r, const uint8_t *data, s
     claim.verdict = r->verdict == SP_STABLE ? SP_UNSTABLE : SP_STABLE;
     claim.dq = dq;
     claim.f = f;
-    for (int32_t c = 0; c < 3 * s->count.points; c++)
-        f[c] = r->f[c] * (sp_real)(1 + (c % 3 ? 0 : data[(size_t)c % size] / 256.0));
+    forces_of_bytes(s, r->f, data, size, f);
     for (int32_t k = 0; k < (r->verdict == SP_STABLE ? 2 * n : 0); k++) {
         memset(dq, 0, sizeof dq);
         dq[k / 2] = k % 2 ? -1 : 1;
@@ -51,8 +76,7 @@ static void forged(const sp_scene *s, const sp_result *r, const uint8_t *data, s
     const sp_evidence e = proved(s, &claim);
     HOLDS(!opposite(r->verdict, e.verdict), "another motion, other forces");
     if (s->count.joints && s->joint[0].strength.crushing > 0) return;           /* these forces may be too large for it */
-    const double least = left(s, f) * (1 - 1e-6) - 1e-12;
-    HOLDS((double)e.imbalance >= least, "told to leave %g, leaves %g", (double)e.imbalance, least);
+    leaves_no_less(s, f, (double)e.imbalance);
 }
 
 /* Input: its bytes, the second of them. */

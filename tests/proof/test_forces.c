@@ -321,21 +321,22 @@ TEST(a_motion_proves_more_than_tol_or_if_final_more_than_rounding)
     CHECK_INT(sp__certify_rank(&o.j, least * more, 1), SP__WITH_LARGE);
 }
 
-/* 400 units of the last place where 512 count for nothing, as two blocks move; 513 count. */
+/* 440 units of the last place where 448 count for nothing, as two blocks move, and 512 where a motion was read from a claim. */
 TEST(a_corner_resists_from_what_rounding_of_both_motions_may_be)
 {
+    static const struct { int how, units[2]; } row_of[] = { { 0, { 440, 449 } }, { SP__READ, { 504, 513 } } };
     one_block o;
     NEED(row(&o, 0));
-    for (int units = 400; units < 520; units += 113) {
+    for (int k = 0; k < 4; k++) {
         sp_real dq[18];
         int32_t final;
         memset(dq, 0, sizeof dq);
-        dq[6] = 1 - (sp_real)SP_EPSILON * R(units);
+        dq[6] = 1 - (sp_real)SP_EPSILON * R(row_of[k / 2].units[k % 2]);
         dq[0] = 1;                                      /* the second less than the first: they press */
         dq[12] = 1;
         o.pb.p[0] = 1;
-        sp__certify_motion(&o.j, dq, 0, &final);
-        CHECK_INT(final, units < 512);
+        sp__certify_motion_within(&o.j, dq, 0, row_of[k / 2].how, &final);
+        CHECK_INT(final, k % 2 == 0);
     }
 }
 
@@ -425,7 +426,8 @@ TEST(of_motions_with_smaller_ones_held_the_best_is_taken)
             CHECK((o.j.dual.motion[7] > 0) == (gains || presses));
             CHECK_INT(o.j.sweeps, gains || presses ? 3 : 2);
             CHECK(sp__certifier_work(&o.j, &scale) > 0);
-            CHECK_NEAR(sp__certify_mechanism(&o.j, dq, 1, &final), both, TOL(1e-14, 1e-6));     /* of islands together none is dropped */
+            CHECK_NEAR(sp__certify_mechanism(&o.j, dq, SP__TOGETHER, &final), both,          /* none of islands is dropped */
+                       TOL(1e-14, 1e-6));
             CHECK_INT(final, 1);
             CHECK(o.j.dual.motion[7] > 0);
             test_arena = mark;
@@ -447,7 +449,8 @@ TEST(a_proof_holds_no_block_but_for_a_better_one)
         dq[7] = R(small);
         o.pb.p[7] = o.j.unit * R(counts ? 10 / small : 0);
         const double alone = (double)sp__certify_motion(&o.j, dq, R(0.1), &final);
-        CHECK_WITHIN((double)sp__certify_mechanism(&o.j, dq, 0, &final), alone * (counts ? 11 : 1), TOL(1e-11, 1e-4) * alone);
+        CHECK_WITHIN((double)sp__certify_mechanism(&o.j, dq, 0, &final), alone * (counts ? 11 : 1),
+                     TOL(1e-11, 1e-4) * alone);
         CHECK_NEAR(o.j.dual.motion[7], small, TOL(1e-15, 1e-6));
         CHECK_INT(final, 1);
         test_arena = mark;
