@@ -110,7 +110,7 @@ SP__NOINLINE static void sp__limit_sharpen(sp__limit *L)
     memcpy(g->state.dq, L->bracket.dq, n * sizeof *g->state.dq);
     sp__reduction_from_space(g->reduction, w->pb->blocks, g->state.dq);
     sp__bracket_load(&L->bracket, L->best < 0, L->best < 0 ? 0 : L->ref);
-    sp__newton_sharpen_proof(w, &g->state);
+    sp__newton_sharpen_proof(w, 2, &g->state);
     for (size_t k = 0; k < n; k++) g->Vq[k] = -g->state.dq[k] / w->measure.weight[k / 3];
     sp__limit_loads(L, sp__max(0, L->best));
     sp__limit_candidate(L, g->Vq);

@@ -39,7 +39,8 @@
 #define SP__NEARER_LONG ((sp_real)1.8)  /* length of the first; nothing would open or slide: 1 */
 #define SP__NEARER_MORE 3               /* times the last one that it may be at most */
 #define SP__NEARER_NEAR ((sp_real)0.25) /* share of a step that is not corrected */
-#define SP__NEARER_CLEAR ((sp_real)2e-3)        /* imbalance from which on Newton's steps are better */
+#define SP__NEARER_CLEAR ((sp_real)2e-3)        /* imbalance from which on Newton's steps are better, */
+#define SP__NEARER_CLEAR3 ((sp_real)1.2e-3)     /* and in 3 rows */
 #define SP__NEARER_PAYS 6               /* solutions that a factor takes the work of, at least */
 #define SP__NO_START 2                  /* imbalance of forces inside the cones from which balancing does not come to any */
 #define SP__RUB ((sp_real)1e-6)        /* friction of joints that have none, where a motion is looked for */

@@ -62,7 +62,7 @@ SP__NOINLINE static void sp__exact_nearer(sp__system *w, sp__newton *n, sp_state
 {
     const size_t size = 6 * (size_t)w->pb->blocks;
     const int64_t pays = w->L.flops / sp__system_solve_flops(w);
-    const sp_real goal = sp__max(n->goal, SP__NEARER_CLEAR);
+    const sp_real goal = sp__max(n->goal, sp__reduced(w) ? SP__NEARER_CLEAR3 : SP__NEARER_CLEAR);
     sp_real *p = state->dq, s = SP__NEARER_LONG, first = 0, bend = 0, kept = 0; /* no proof is at hand; kept: d_old.r */
     int falls = 0, most = SP__NEARER_STEPS;
     if (w->singular || pays < SP__NEARER_PAYS) return;
@@ -89,6 +89,7 @@ SP__NOINLINE static void sp__exact_nearer(sp__system *w, sp__newton *n, sp_state
         }
         if (falls) sp__newton_record_proof(w, n, w->y, state);
     }
+    if (n->proved) n->proved = SP__PROVED_NEARER;
     if (!falls || n->proved) return;
     sp__bilateral_solve(w);
     sp__newton_measure(w, n, state);
@@ -167,7 +168,7 @@ SP__NOINLINE static void sp__exact_answer(sp__system *w, const sp__newton *n, sp
     w->budget.spent = 0;
     if (!n->found && n->best < SP__HUGE) sp__system_forces(w, SP__ADMISSIBLE, state->y, state);
     w->budget.spent = spent;
-    if (n->proved) sp__newton_sharpen_proof(w, state);
+    if (n->proved) sp__newton_sharpen_proof(w, n->proved == SP__PROVED_NEARER ? 1 : 2, state);
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks && !n->proved; k++)
         state->dq[k] = -w->measure.weight[k / 3] * (spent ? state->y[k] : w->y[k]);
     sp__reduction_to_space(w, state->dq);

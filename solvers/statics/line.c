@@ -26,13 +26,15 @@ typedef struct sp__newton {
     sp_real shift;                      /* on the diagonal of the Hessian, beyond prox */
     sp_real imbalance, best;                /* of the current y, of the best (kept in state->y) */
     sp_real goal;                       /* imbalance to reach */
-    sp_real level;                      /* imbalance at the end of the last piece of the path */
+    sp_real level;                      /* imbalance at the end of the last piece of the path, or before a step */
     int32_t left;                       /* factorisations */
-    signed char proved;                 /* state->dq holds a proof */
+    signed char proved;                 /* state->dq holds a proof, or of SP__PROVED_NEARER: found with the factor of f0 */
     signed char stalled;                /* level no longer falls with prox: something moves */
     signed char found;                  /* state->f holds forces that balance */
     signed char falls;                  /* the interior points came to a motion, be its proof within tol or beyond */
 } sp__newton;
+
+enum { SP__PROVED_NEARER = 2 };
 
 /* Is there work left to spend? */
 static int sp__newton_work_left(const sp__system *w, const sp__newton *n) { return n->left > 0 && !w->budget.spent; }

@@ -158,6 +158,26 @@ SP__NOINLINE static int sp__newton_adapt_shift(sp__newton *n, sp_real s)
     return tiny;
 }
 
+/* After a step of length 1 that gained two digits the next factor would hardly be another one: more steps with the one at hand
+ * until the imbalance is well within the goal. One that gains no digit is taken back, for the next factor may lead to a proof
+ * instead; state->dq, where none is, keeps y. n->level: imbalance before the step. */
+SP__NOINLINE static void sp__newton_again(sp__system *w, sp__newton *n, sp_real s, sp_state *state)
+{
+    const size_t bytes = 6 * (size_t)w->pb->blocks * sizeof *w->y;
+    if (sp__reduced(w) || n->proved || sp__abs(s - 1) > 0 || !(n->imbalance < n->level / 100)) return;
+    while (n->imbalance > n->goal / 10 && !w->budget.spent) {
+        memcpy(state->dq, w->y, bytes);
+        sp__newton_correct(w);
+        sp__newton_residual(w);
+        if (!(sp__system_imbalance(w, w->r) <= n->imbalance / 10)) {
+            memcpy(w->y, state->dq, bytes);
+            sp__newton_residual(w);
+            return;
+        }
+        sp__newton_record(w, n, state);
+    }
+}
+
 /* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps, a first one that leads astray, or in float
  * after a far one that leaves more imbalance than load. */
 SP__NOINLINE static void sp__newton_plain(sp__system *w, sp__newton *n, sp_state *state)
@@ -167,7 +187,9 @@ SP__NOINLINE static void sp__newton_plain(sp__system *w, sp__newton *n, sp_state
     n->stalled = 0;
     n->shift = SP__SHIFT;
     for (int it = 0; it < 12 && sp__newton_work_left(w, n) && n->imbalance > n->goal && !n->proved && tiny < 2; it++) {
+        n->level = n->imbalance;
         const sp_real s = sp__newton_step(w, n, it == 0 && !n->falls && sp__reduced(w), state);
+        sp__newton_again(w, n, s, state);
         tiny += !(s > 0) || (s > SP__FAR && n->imbalance > 1) ? 2 : sp__newton_adapt_shift(n, s);
     }
 }
@@ -236,17 +258,18 @@ static void sp__newton_unresisted(sp__system *w, sp__newton *n, sp_state *state)
     sp__newton_purify(w, n, w->d, state);
 }
 
-/* A proof is found: sharpen it by the rigid groups it shows, as it is and after inverse iteration with the last factor, and
- * take what the contacts resist least. A block that turns about its edge or its point moves none of its corners, so it counts
- * as tied: where that ties all, every block goes alone. state->y is used up. */
-SP__NOINLINE static void sp__newton_sharpen_proof(sp__system *w, sp_state *state)
+/* A proof is found: sharpen it by the rigid groups it shows, as it is and, of two passes, after inverse iteration with the last
+ * factor (that of f0 knows nothing of the mechanism), and take what the contacts resist least. A block that turns about its
+ * edge or its point moves none of its corners, so it counts as tied: where that ties all, every block goes alone. state->y is
+ * used up. */
+SP__NOINLINE static void sp__newton_sharpen_proof(sp__system *w, int passes, sp_state *state)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
     int32_t *group = sp__rigid_room(w);
     for (size_t k = 0; k < n; k++) state->y[k] = w->d[k] = -state->dq[k] / w->measure.weight[k / 3];
     sp__power best, now;
     sp__newton_power(w, w->d, &best);
-    for (int pass = 0; pass < 2 && best.resist > 0; pass++) {
+    for (int pass = 0; pass < passes && best.resist > 0; pass++) {
         memcpy(w->d, state->y, n * sizeof *w->d);
         if (pass) sp__system_solve(w, w->d, w->d);
         if (!sp__system_count(w, SP__FLOPS_SWEEP, SP__FLOPS_TWIST)) break;

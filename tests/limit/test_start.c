@@ -12,10 +12,10 @@
 
 static sp_real lift;                                    /* loads at hand where a proof is sharpened */
 
-static void world_sharpen_proof(sp__system *w, sp_state *state)
+static void world_sharpen_proof(sp__system *w, int passes, sp_state *state)
 {
     lift = w->pb->p[2];
-    for (int k = 0; k < 6; k++) state->dq[k] *= 2;
+    for (int k = 0; k < 6; k++) state->dq[k] *= (sp_real)passes;
 }
 
 #define sp__newton_sharpen_proof world_sharpen_proof
