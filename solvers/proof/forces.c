@@ -222,7 +222,7 @@ SP__NOINLINE static int32_t sp__certify_rank(const sp__certifier *j, sp_real val
 }
 
 /* The best proof a motion gives, a final one before others, with smaller motions held. It is left in j->dual.motion.
- *   how      SP__READ: the motion was read; SP__TOGETHER: of several islands, each held so by itself, and none is dropped unless
+ *   how      SP__READ: the motion was read; SP__TOGETHER: of several islands, each held so by itself: none is dropped unless
  *            what is left proves more than all
  *   *final: no contact resists, and it proves UNSTABLE, be its value within tol or not */
 static sp_real sp__certify_mechanism(sp__certifier *j, const sp_real *dq, int how, int32_t *final)
