@@ -107,8 +107,8 @@ if have python3 && have tcc; then
     {
         line "300 mutants of the certificate check" $mutants --of proof --sample 300 --hashes --least 99
         line "100 mutants of verify" $mutants --of verify --sample 100 --hashes --least 97
-        line "200 mutants of limit" $mutants --of limit --sample 200 --least 85
-        line "100 mutants of the core" $mutants --of core --guided --longest 400 --sample 100 --least 88
+        line "200 mutants of limit" $mutants --of limit --sample 200 --hashes --least 85
+        line "100 mutants of the core" $mutants --of core --guided --longest 400 --sample 100 --hashes --least 88
         line "60 mutants of the smallest build" $mutants --of small --sample 60 --least 75
     }
 else skip "mutants" "python3 tcc"; fi
