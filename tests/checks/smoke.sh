@@ -488,6 +488,8 @@ part "two cubes stand: 0"           scene_exits 0 two-cubes
 part "two cubes fall: 1"            scene_exits 1 two-cubes offset=0.6
 part "an empty scene is bad: 65"    exits 65 "$cli" check /dev/null
 part "--cra- without --coupled: 64"   exits 64 "$cli" check --cra-eps 0 x
+part "--cra-eps beyond lengths: 64"   exits 64 "$cli" check --coupled --cra-eps 1e30 x
+part "--cra-eta beyond lengths: 64"   exits 64 "$cli" check --coupled --cra-eta 1e300 x
 part "--cra-nodes: half a case: 64"   exits 64 "$cli" check --coupled --cra-nodes 1.5 x
 part "gen: unknown scene"           exits 64 "$cli" gen no-such-scene
 part "gen: unknown number"          exits 64 "$cli" gen arch no-such-number=1

@@ -292,13 +292,17 @@ static int take_effects(options *o, const char *name, const char *value, failure
 static int take_cra_eps(options *o, const char *name, const char *value, failure *error)
 {
     sp_real *eps = &o->settings.coupled.eps;
-    return read_real(value, eps) && *eps >= 0 ? 0 : usage(error, name, "needs a length, 0 or more");
+    if (!read_real(value, eps) || !(*eps >= 0 && *eps < (sp_real)1e30))
+        return usage(error, name, "needs a length, 0 or more, below 1e30");
+    return 0;
 }
 
 static int take_cra_eta(options *o, const char *name, const char *value, failure *error)
 {
     sp_real *eta = &o->settings.coupled.eta;
-    return read_real(value, eta) && *eta > 0 ? 0 : usage(error, name, "needs a length above 0");
+    if (!read_real(value, eta) || !(*eta > 0 && *eta < (sp_real)1e30))
+        return usage(error, name, "needs a length above 0, below 1e30");
+    return 0;
 }
 
 static int take_cra_nodes(options *o, const char *name, const char *value, failure *error)
