@@ -744,7 +744,8 @@ typedef struct sp_strong_result {
                                    up to 1e4 sbar; behind all other arrays */
     sp_real margin;             /* of a proof, > 0                                                                        [1] */
     sp_real tol;                /* in force */
-    sp_real *f;                 /* 3 x scene.count.points: forces at rest; of a STRONG by pressure ft = 0             [N] */
+    sp_real *f;                 /* 3 x scene.count.points: forces at rest; of a STRONG by pressure ft = 0; between two
+                                   supports, where any would do, those given or 0                                     [N] */
     sp_real *moving;            /* 3 x scene.count.points: forces of the motion, else 0                               [N] */
     sp_real *a;                 /* 6 x scene.count.blocks: acceleration of the centroid, of the turn; else 0
                                                                                                          [m/s^2, rad/s^2] */
