@@ -121,7 +121,7 @@ SP__NOINLINE static int sp__bracket_falls_beyond(sp__bracket *b)
     const sp_real dead = sp__load_unit(&b->pb);
     if (!sp__bracket_certify_begin(b, 0, 1)) return 0;
     b->certifier.set = &b->wide;
-    const int pushes = sp__certify_motion(&b->certifier, b->dq, 0, &final) > 0;
+    const int pushes = sp__certify_motion(&b->certifier, b->dq, 0, 0, &final) > 0;
     sp__bracket_certify_end(b);
     if (pushes) return 1;
     const sp_real ratio = sp__ratio(dead, b->certifier.unit);

@@ -19,7 +19,7 @@ SP__NOINLINE static int sp__bracket_resists(sp__bracket *b, sp_real lambda)
 {
     int32_t final;
     if (!sp__bracket_certify_begin(b, 1, lambda)) return 0;
-    sp__certify_motion(&b->certifier, b->dq, 0, &final);
+    sp__certify_motion(&b->certifier, b->dq, 0, 0, &final);
     sp__bracket_take_motion(b);
     return 1;
 }
@@ -38,7 +38,7 @@ SP__NOINLINE static int sp__bracket_falls(sp__bracket *b, sp_real lambda, int be
         if (!sp__bracket_certify_begin(b, 1, lambda)) return 0;
         if (pass == 0) {
             for (k = 0; k < 6; k++) {
-                value[k] = sp__certify_motion(j, b->whole, sp__certify_rest[k], &final);
+                value[k] = sp__certify_motion(j, b->whole, sp__certify_rest[k], 0, &final);
                 rank[k] = sp__certify_rank(j, value[k], final);
             }
             sp__bracket_certify_end(b);
@@ -47,7 +47,7 @@ SP__NOINLINE static int sp__bracket_falls(sp__bracket *b, sp_real lambda, int be
         for (int q = 1; q < 6; q++)                     /* a final proof before others, then the best */
             if (rank[q] > rank[k] || (rank[q] == rank[k] && value[q] > value[k])) k = q;
         if (rank[k] < (b->slight ? 1 : 2)) break;
-        b->least = sp__certify_motion(j, b->whole, sp__certify_rest[k], &b->final);
+        b->least = sp__certify_motion(j, b->whole, sp__certify_rest[k], 0, &b->final);
         if (all) sp__motion_write(j, all);
         sp__bracket_take_motion(b);
         if (!beyond || sp__bracket_falls_beyond(b)) return 1;

@@ -173,8 +173,7 @@ enum { SP__ROUNDING = 224, SP__READ = 32, SP__TOGETHER = 1 };
  * that move less than `rest` of the largest motion are held. A value above tol proves that no force state of this cone within
  * its caps comes nearer to equilibrium than that value. *final: no contact resists at all, but for so much rounding.
  * The held motion is left in j->dual.motion. */
-SP__NOINLINE static sp_real sp__certify_motion_within(sp__certifier *j, const sp_real *dq, sp_real rest, int how,
-                                                     int32_t *final)
+SP__NOINLINE static sp_real sp__certify_motion(sp__certifier *j, const sp_real *dq, sp_real rest, int how, int32_t *final)
 {
     const sp_problem *pb = j->pb;
     *final = 0;
@@ -205,11 +204,6 @@ SP__NOINLINE static sp_real sp__certify_motion_within(sp__certifier *j, const sp
     return work > resist ? sp__ratio(work - resist, scale) : 0;
 }
 
-static sp_real sp__certify_motion(sp__certifier *j, const sp_real *dq, sp_real rest, int32_t *final)
-{
-    return sp__certify_motion_within(j, dq, rest, 0, final);
-}
-
 /* Shares of the largest motion below which blocks are held. */
 static const sp_real sp__certify_rest[6] = { 0, (sp_real)1e-12, (sp_real)1e-9, (sp_real)1e-6, (sp_real)1e-3, (sp_real)0.5 };
 
@@ -233,12 +227,12 @@ static sp_real sp__certify_mechanism(sp__certifier *j, const sp_real *dq, int ho
         const int32_t still = sp__certifier_hold_small(j, dq, sp__certify_rest[k]);
         if (still == before) continue;                  /* the same motion */
         before = still;
-        value = sp__certify_motion_within(j, dq, sp__certify_rest[k], how, final);
+        value = sp__certify_motion(j, dq, sp__certify_rest[k], how, final);
         const int32_t now = sp__certify_rank(j, value, *final);
         last = now > rank || (now == rank && value > best && !(how & SP__TOGETHER));
         if (last) { best = value; held = k; rank = now; }
     }
-    if (!last) value = sp__certify_motion_within(j, dq, sp__certify_rest[held], how, final);
+    if (!last) value = sp__certify_motion(j, dq, sp__certify_rest[held], how, final);
     *final = rank & 1;
     return value;
 }

@@ -207,7 +207,7 @@ SP__NOINLINE static void sp__small_try_proof(sp__small *w, const sp_real *y)
     sp_result *r = w->to;
     if (r->verdict) return;
     sp__small_motion(w, y);
-    if (!(sp__certify_motion(&w->j, w->x, 0, &r->final) > w->set->tol)) return;
+    if (!(sp__certify_motion(&w->j, w->x, 0, 0, &r->final) > w->set->tol)) return;
     r->least_imbalance = sp__certify_mechanism(&w->j, w->x, 0, &r->final);
     r->verdict = SP_UNSTABLE;
 }

@@ -380,7 +380,7 @@ TEST(a_motion_proves_work_less_resistance)
         for (int i = 0; i < LEAF_N; i++) motion[i] = (double)test_random_real(-1, 1) + (k % 4 < 2 ? 0.3 * o.p[i] : 0);
         for (int i = 0; i < LEAF_N; i++) dq[i] = R(1e3 * motion[i]);
         const double want = proves(motion, rest, &want_final, &resist);
-        CHECK_NEAR(sp__certify_motion(&o.j, dq, R(rest), &final), want, TOL(1e-9, 1e-2));
+        CHECK_NEAR(sp__certify_motion(&o.j, dq, R(rest), 0, &final), want, TOL(1e-9, 1e-2));
         CHECK_NEAR(o.j.resist, resist, TOL(1e-9, 1e-3));
         CHECK_INT(final, want_final);
         some += want > 0;
@@ -431,7 +431,7 @@ TEST(what_moves_less_than_its_share_is_held)
     memset(odd, 0, sizeof odd);
     CHECK_INT(sp__certifier_hold_small(&o.j, still, 0), -1);
     int32_t final = 7;
-    CHECK_WITHIN(sp__certify_motion(&o.j, still, 0, &final), 0, 0);
+    CHECK_WITHIN(sp__certify_motion(&o.j, still, 0, 0, &final), 0, 0);
     CHECK_INT(final, 0);
     CHECK_WITHIN(o.j.resist, 0, 0);
     odd[3] = R(INFINITY);

@@ -191,7 +191,7 @@ TEST(a_motion_is_worth_its_work_less_what_its_corners_resist)
         resist /= largest;
         const double scale = ((double)(o.j.scale[0].s * sp__norm3(dq)) + (double)(o.j.scale[0].S * sp__norm3(dq + 3))) / largest;
         const int32_t before = o.j.sweeps;
-        const double value = (double)sp__certify_motion(&o.j, dq, 0, &final);
+        const double value = (double)sp__certify_motion(&o.j, dq, 0, 0, &final);
         CHECK_INT(o.j.sweeps - before, 1);
         CHECK_WITHIN((double)o.j.resist, resist, TOL(1e-10, 1e-3) * (1 + fabs(resist)));
         if (value > 0) CHECK_INT(final && k.faces && k.inscribed, 0);
@@ -200,7 +200,7 @@ TEST(a_motion_is_worth_its_work_less_what_its_corners_resist)
         CHECK_NEAR(sp__certifier_work(&o.j, &size), work, TOL(1e-9, 1e-2));
         CHECK_NEAR(size, scale, TOL(1e-10, 1e-3));
         CHECK_WITHIN(value, fmax(0, work - resist) / scale, TOL(1e-10, 1e-3) * (1 + fabs(resist) / scale));
-        CHECK_NEAR(sp__certify_motion(&o.j, none, 0, &final), 0, 0);
+        CHECK_NEAR(sp__certify_motion(&o.j, none, 0, 0, &final), 0, 0);
         CHECK_NEAR(o.j.resist, 0, 0);
         CHECK_INT(final, 0);
         test_arena = mark;
@@ -335,7 +335,7 @@ TEST(a_corner_resists_from_what_rounding_of_both_motions_may_be)
         dq[0] = 1;                                      /* the second less than the first: they press */
         dq[12] = 1;
         o.pb.p[0] = 1;
-        sp__certify_motion_within(&o.j, dq, 0, row_of[k / 2].how, &final);
+        sp__certify_motion(&o.j, dq, 0, row_of[k / 2].how, &final);
         CHECK_INT(final, k % 2 == 0);
     }
 }
@@ -414,9 +414,9 @@ TEST(of_motions_with_smaller_ones_held_the_best_is_taken)
             dq[7] = R(small);
             o.pb.p[7] = o.j.unit * R(gains ? 1000 : -1000);
             if (presses) dq[0] = dq[6] = dq[12] = R(small);     /* away from the ground together: what is held is pressed */
-            const double both = (double)sp__certify_motion(&o.j, dq, 0, &whole);
+            const double both = (double)sp__certify_motion(&o.j, dq, 0, 0, &whole);
             CHECK_INT(whole, 1);
-            const double alone = (double)sp__certify_motion(&o.j, dq, R(0.1), &final);
+            const double alone = (double)sp__certify_motion(&o.j, dq, R(0.1), 0, &final);
             CHECK_INT(final, !presses);
             CHECK(gains ? both > alone : both < alone || presses);
             o.j.sweeps = 0;
@@ -448,7 +448,7 @@ TEST(a_proof_holds_no_block_but_for_a_better_one)
         first_moves(&o, dq);
         dq[7] = R(small);
         o.pb.p[7] = o.j.unit * R(counts ? 10 / small : 0);
-        const double alone = (double)sp__certify_motion(&o.j, dq, R(0.1), &final);
+        const double alone = (double)sp__certify_motion(&o.j, dq, R(0.1), 0, &final);
         CHECK_WITHIN((double)sp__certify_mechanism(&o.j, dq, 0, &final), alone * (counts ? 11 : 1),
                      TOL(1e-11, 1e-4) * alone);
         CHECK_NEAR(o.j.dual.motion[7], small, TOL(1e-15, 1e-6));
@@ -483,7 +483,7 @@ TEST(a_motion_without_work_is_not_final)
     NEED(row(&o, 0));
     first_moves(&o, dq);
     o.pb.p[1] = 0;
-    sp__certify_motion(&o.j, dq, 0, &final);
+    sp__certify_motion(&o.j, dq, 0, 0, &final);
     CHECK_INT(final, 1);
     CHECK_NEAR(sp__certify_mechanism(&o.j, dq, 0, &final), 0, 0);
     CHECK_INT(final, 0);

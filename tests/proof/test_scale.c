@@ -153,7 +153,7 @@ TEST(sliding_motion_proves_its_power_balance)
         NEED(judge(&o, NULL));
         const double more = mu * (1 + TOL(1e-6, 1e-2));                       /* clear of the edge of the cone */
         const sp_real dq[6] = { R(scale * (-c - more * s)), 0, R(scale * (-s + more * c)), 0, 0, 0 };
-        const double value = (double)sp__certify_motion(&o.j, dq, 0, &final);
+        const double value = (double)sp__certify_motion(&o.j, dq, 0, 0, &final);
         const double want = (s - more * c) / ((double)o.j.scale[0].s * sqrt(1 + more * more));
         if (power > 0.02) {
             CHECK_NEAR(value, want, TOL(1e-9, 1e-3));
@@ -171,7 +171,7 @@ TEST(motion_into_a_joint_proves_nothing)
     const sp_real down[6] = { 0, 0, -1, 0, 0, 0 };
     NEED(place(&o, 3, 1, 0.5, 0, 0.5));
     NEED(judge(&o, NULL));
-    CHECK_INT(sp__certify_motion(&o.j, down, 0, &final) > 0, 0);
+    CHECK_INT(sp__certify_motion(&o.j, down, 0, 0, &final) > 0, 0);
     CHECK_INT(final, 0);
     CHECK_NEAR(o.j.resist, 4 * 200, TOL(1e-9, 1e-4));   /* four corners, each of its cap, in units of the motion's largest */
 }
