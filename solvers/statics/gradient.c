@@ -51,12 +51,12 @@ SP__NOINLINE static void sp__contact_gradient(sp__system *w, sp__law law, const 
     sp__view_scatter(w, k, Y, r);
 }
 
-/* The same of a joint with friction alone in the wide kernel, where no force is told: most passes ask for this, and with the
- * scale worked out once a joint a check in space takes a tenth less time. */
+/* The same of a joint with friction alone in the wide kernel, where r alone is asked for. Most passes are of these, and with S
+ * worked out once a joint a check in space takes a tenth less time. */
 SP__NOINLINE static void sp__plain_gradient(sp__system *w, const sp__view *k, const sp_real *y, sp_real *r)
 {
     const sp_contact *t = k->t;
-    const sp_real S = sp__system_scale(w, k->c), slip = S * w->law.slide;
+    const sp_real S = sp__system_scale(w, k->c);
     sp__visit *s = sp__visit_of(w);
     sp_real *X = s->twist[0], *u = s->u[0], *f = s->f, *Y = s->sum;
     for (int q = 0; q < 6; q++) Y[q] = 0;
@@ -64,10 +64,8 @@ SP__NOINLINE static void sp__plain_gradient(sp__system *w, const sp__view *k, co
     for (int32_t v = t->point; v < t->point + t->points; v++) {
         const sp_real *l = w->pb->local[v];
         sp__system_rate(w, X, X + 3, l, u);
-        if (sp__cone_project(&w->law.cone, w->law.yield, u, f) == SP__APEX && !(w->law.soft > 0)) continue;
-        if (w->law.soft > 0 && u[0] < 0) f[0] += u[0] * w->law.soft;
-        const sp_real g[3] = { S * f[0], slip * f[1], slip * f[2] };
-        sp__view_gather(w, k, l, g, Y);
+        sp__system_force_at(w, S, w->law.yield, u, f);
+        sp__view_gather(w, k, l, f, Y);
     }
     sp__full_scatter(w, t, Y, Y + 3, r);
 }
@@ -76,13 +74,13 @@ SP__NOINLINE static void sp__plain_gradient(sp__system *w, const sp__view *k, co
 static void sp__system_gradient(sp__system *w, sp__law law, const sp_real *y, sp_real *r, sp_real *f)
 {
     const sp_problem *pb = w->pb;
-    const int untold = law == SP__ADMISSIBLE && !f && !w->carried && !sp__reduced(w);
+    const int r_alone = law == SP__ADMISSIBLE && !f && !w->carried && !sp__reduced(w);
     if (!sp__system_sweep(w, 1, 1) || (w->carried && !sp__system_count(w, SP__FLOPS_SWEEP, 0))) return;
     sp__system_load(w, r);
     if (w->carried) memset(w->carried, 0, 3 * (size_t)pb->blocks * sizeof *w->carried);
     for (int32_t c = 0; c < pb->contacts; c++) {
         const sp__view k = sp__view_of(w, c);
-        if (untold && w->law.yield->plain) sp__plain_gradient(w, &k, y, r);
+        if (r_alone && w->law.yield->plain) sp__plain_gradient(w, &k, y, r);
         else sp__contact_gradient(w, law, &k, y, r, f);
     }
     sp__system_release(w, r);

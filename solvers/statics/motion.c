@@ -246,12 +246,18 @@ static void sp__system_rate(const sp__system *w, const sp_real V[3], const sp_re
 }
 
 /* f = S (P_K(u) - (max(0, -u_n) / gamma, 0, 0)), friction unweighed. */
-static void sp__system_force(const sp__system *w, int32_t c, const sp__yield *yield, const sp_real u[3], sp_real f[3])
+static inline void sp__system_force_at(const sp__system *w, sp_real S, const sp__yield *yield, const sp_real u[3], sp_real f[3])
 {
     sp__cone_project(&w->law.cone, yield, u, f);
     if (w->law.soft > 0 && u[0] < 0) f[0] += u[0] * w->law.soft;
-    const sp_real S = sp__system_scale(w, c), slip = S * w->law.slide;
+    const sp_real slip = S * w->law.slide;
     f[0] *= S; f[1] *= slip; f[2] *= slip;
+}
+
+/* The same at a vertex of contact c. */
+static void sp__system_force(const sp__system *w, int32_t c, const sp__yield *yield, const sp_real u[3], sp_real f[3])
+{
+    sp__system_force_at(w, sp__system_scale(w, c), yield, u, f);
 }
 
 /* sp__system_scatter into 6 rows a block. */

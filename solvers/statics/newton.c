@@ -160,12 +160,13 @@ SP__NOINLINE static int sp__newton_adapt_shift(sp__newton *n, sp_real s)
 
 /* After a step of length 1 that gained two digits the next factor would hardly be another one: more steps with the one at hand
  * until the imbalance is well within the goal. One that gains no digit is taken back, for the next factor may lead to a proof
- * instead; state->dq, where none is, keeps y. n->level: imbalance before the step. */
+ * instead; nor does one gain any that a budget no longer pays for. state->dq, where no proof is, keeps y. n->level: imbalance
+ * before the step. */
 SP__NOINLINE static void sp__newton_again(sp__system *w, sp__newton *n, sp_real s, sp_state *state)
 {
     const size_t bytes = 6 * (size_t)w->pb->blocks * sizeof *w->y;
     if (sp__reduced(w) || n->proved || sp__abs(s - 1) > 0 || !(n->imbalance < n->level / 100)) return;
-    while (n->imbalance > n->goal / 10 && !w->budget.spent) {
+    while (n->imbalance > n->goal / 10) {
         memcpy(state->dq, w->y, bytes);
         sp__newton_correct(w);
         sp__newton_residual(w);
