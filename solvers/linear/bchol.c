@@ -527,6 +527,39 @@ static void sp__bchol_zero(sp__bchol *f)
     memset(f->x, 0, (size_t)f->p[f->n] * 36 * sizeof *f->x);
 }
 
+#ifdef SP_REAL_MIXED
+/* to <- sum of l z, entry by entry, over the blocks of column k, of which l is a column: compilers at -O2 take four floats at
+ * a time. */
+SP__NOINLINE static void sp__bchol_products(const sp__bchol *f, int32_t k, int c, sp__low to[6])
+{
+    sp__low z0 = 0, z1 = 0, z2 = 0, z3 = 0, z4 = 0, z5 = 0;
+    for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
+        const sp__low *z = f->z + 6 * (size_t)f->i[q], *l = f->x + 36 * (size_t)q + 6 * c;
+        z0 += l[0] * z[0]; z1 += l[1] * z[1]; z2 += l[2] * z[2]; z3 += l[3] * z[3]; z4 += l[4] * z[4]; z5 += l[5] * z[5];
+    }
+    to[0] = z0; to[1] = z1; to[2] = z2; to[3] = z3; to[4] = z4; to[5] = z5;
+}
+
+/* v <- v - sum of L' z over the blocks of column k */
+static void sp__bchol_less_below(const sp__bchol *f, int32_t k, sp__low *v)
+{
+    for (int c = 0; c < 6; c++) {
+        sp__low s[6];
+        sp__bchol_products(f, k, c, s);
+        v[c] -= (s[0] + s[4]) + (s[1] + s[5]) + (s[2] + s[3]);
+    }
+}
+#else
+static void sp__bchol_less_below(const sp__bchol *f, int32_t k, sp__low *v)
+{
+    for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
+        const sp__low *z = f->z + 6 * (size_t)f->i[q], *l = f->x + 36 * (size_t)q;
+        for (int c = 0; c < 6; c++, l += 6)
+            v[c] -= l[0] * z[0] + l[1] * z[1] + l[2] * z[2] + l[3] * z[3] + l[4] * z[4] + l[5] * z[5];
+    }
+}
+#endif
+
 /* x <- A^-1 b, both 6 n in the caller's row order; x may be b. */
 SP__NOINLINE static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, sp_real *x)
 {
@@ -552,12 +585,7 @@ SP__NOINLINE static void sp__bchol_solve(const sp__bchol *f, const sp_real *b, s
     for (int32_t k = f->n - 1; k >= 0; k--) {                                   /* L' x = z */
         sp__low *v = t + 6 * (size_t)k;
         const sp__low *d = f->d + 21 * (size_t)k;
-        for (int32_t q = f->p[k]; q < f->p[k + 1]; q++) {
-            const sp__low *z = t + 6 * (size_t)f->i[q];
-            const sp__low *l = f->x + 36 * (size_t)q;
-            for (int c = 0; c < 6; c++, l += 6)
-                v[c] -= l[0] * z[0] + l[1] * z[1] + l[2] * z[2] + l[3] * z[3] + l[4] * z[4] + l[5] * z[5];
-        }
+        sp__bchol_less_below(f, k, v);
         for (int c = 5; c >= 0; c--) {
             const sp__low *dc = d + sp__column[c];
             for (int r = c + 1; r < 6; r++) v[c] -= dc[r - c] * v[r];

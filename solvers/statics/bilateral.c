@@ -25,17 +25,18 @@ static sp_real sp__system_norm(const sp__system *w, const sp_real *x)
     return SP_SQRT(sp__dot(x, x, 6 * (size_t)w->pb->blocks));
 }
 
-/* w->r <- correction of y for gradient r, by the factor at hand. */
-static void sp__bilateral_correct(sp__system *w)
+/* w->r <- correction of y for gradient r but for `left` of it, by the factor at hand. */
+static void sp__bilateral_correct(sp__system *w, sp_real left)
 {
-    sp__system_solve(w, w->r, w->r);
+    sp__system_solve_to(w, left, w->r, w->r);
     if (!w->singular) return;
     sp__system_solve(w, w->r, w->d);
     sp__system_axpy(w, -SP__SHIFT, w->d, w->r);
 }
 
 /* w->y: potential of the bilateral force of the load at hand, by the bilateral factor; w->d: what rounding left of it, y - d is
- * better. Worth nothing when w->budget.spent. */
+ * better. Where one more correction, shrinking r as the last one did, leaves rounding, nothing is measured after it. Worth
+ * nothing when w->budget.spent. */
 SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
@@ -43,9 +44,10 @@ SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
     sp__system_load(w, w->r);
     w->measure.load = sp__system_norm(w, w->r);
     w->singular = 0;
-    sp_real last = w->measure.load;
+    sp_real last = w->measure.load, left = 0;
+    int once = 0;                                       /* is one more correction enough? */
     for (int it = 0; it < 6; it++) {
-        sp__bilateral_correct(w);
+        sp__bilateral_correct(w, left);
         sp__system_axpy(w, -1, w->r, w->y);
         sp__system_gradient(w, SP__BILATERAL, w->y, w->r, NULL);
         if (w->budget.spent) return;
@@ -59,11 +61,18 @@ SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
             sp__system_load(w, w->r);
             continue;
         }
-        if (now <= 64 * (sp_real)SP_EPSILON * w->measure.load || (now > last / 4 && (w->singular || held))) break;
+        const sp_real rounding = 64 * (sp_real)SP_EPSILON * w->measure.load;
+        left = now > rounding ? rounding / now : 1;
+        once = held && now > rounding && now * now <= rounding * last;
+        if (once || now <= rounding || (now > last / 4 && (w->singular || held))) break;
         last = now;
     }
-    sp__bilateral_correct(w);
-    memcpy(w->d, w->r, n * sizeof *w->d);
+    sp__bilateral_correct(w, left);
+    for (size_t k = 0; k < n; k++) {                    /* y - r in two parts [Dekker 1971] */
+        const sp_real y = once ? w->y[k] - w->r[k] : w->y[k];
+        w->d[k] = w->r[k] + (y - w->y[k]);
+        w->y[k] = y;
+    }
 }
 
 /* Weights, factor and potential of the bilateral force, in the metric at hand. Factorises once. */

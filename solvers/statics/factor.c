@@ -62,11 +62,13 @@ SP__NOINLINE static void sp__system_times(const sp__system *w, const sp_real *x,
         const size_t a = (size_t)pb->contact[k].a, b = (size_t)pb->contact[k].b, first = w->L.inv[a] < w->L.inv[b] ? a : b;
         const sp_real *block = sp__system_coupling(w, k), *xc = x + 6 * first, *xr = x + 6 * (a + b - first);
         sp_real *yc = y + 6 * first, *yr = y + 6 * (a + b - first);
-        for (int c = 0; c < 6; c++)
-            for (int r = 0; r < 6; r++) {
-                yr[r] += block[6 * c + r] * xc[c];
-                yc[c] += block[6 * c + r] * xr[r];
-            }
+        sp_real z0 = yr[0], z1 = yr[1], z2 = yr[2], z3 = yr[3], z4 = yr[4], z5 = yr[5];
+        for (int c = 0; c < 6; c++, block += 6) {
+            const sp_real *l = block, t = xc[c];
+            z0 += l[0] * t; z1 += l[1] * t; z2 += l[2] * t; z3 += l[3] * t; z4 += l[4] * t; z5 += l[5] * t;
+            yc[c] += l[0] * xr[0] + l[1] * xr[1] + l[2] * xr[2] + l[3] * xr[3] + l[4] * xr[4] + l[5] * xr[5];
+        }
+        yr[0] = z0; yr[1] = z1; yr[2] = z2; yr[3] = z3; yr[4] = z4; yr[5] = z5;
     }
 }
 #endif
@@ -263,13 +265,11 @@ static sp_real sp__system_precondition(sp__system *w, const sp_real *r, sp_real 
     return most;
 }
 
-/* x <- A^-1 b, x may be b, by conjugate gradients with the factor as preconditioner: two steps, and where A is nearly singular
- * one more for every null vector, which floats can't tell from another. Directions are made orthogonal to the last one
- * only in A [Polak, Ribiere 1969]: L is not exactly what it solves. x <- 0 where not one step is paid for.
- *
- * Nine digits of the residual are enough, who wants more solves again for what is left; with eight, a needle of 1e4 : 1 at its
- * limit takes ten times the factors. */
-static void sp__system_solve(sp__system *w, const sp_real *b, sp_real *x)
+/* x <- A^-1 b, x may be b, but for `left` of the residual, by conjugate gradients with the factor as preconditioner: two steps,
+ * and where A is nearly singular one more for every null vector, which floats can't tell from another. Directions are made
+ * orthogonal to the last one only in A [Polak, Ribiere 1969]: L is not exactly what it solves. x <- 0 where not one step is
+ * paid for. */
+static void sp__system_solve_to(sp__system *w, sp_real left, const sp_real *b, sp_real *x)
 {
     const size_t n = 6 * (size_t)w->pb->blocks;
     sp_real *p = w->mixed.cg, *q = p + n, *z = q + n, *r = z + n;
@@ -280,7 +280,7 @@ static void sp__system_solve(sp__system *w, const sp_real *b, sp_real *x)
     }
     memcpy(r, b, n * sizeof *r);
     memset(x, 0, n * sizeof *x);
-    const sp_real enough = SP__REFINED * sp__system_precondition(w, r, 0, p);
+    const sp_real enough = sp__max(left, SP__REFINED) * sp__system_precondition(w, r, 0, p);
     sp_real rz = sp__dot(r, p, n);
     for (int it = 0; it < SP__REFINE && rz > 0; it++) {
         if (!sp__system_spend(w, 144 * (int64_t)w->pb->contacts + 180 * (int64_t)w->L.n)) return;
@@ -296,6 +296,10 @@ static void sp__system_solve(sp__system *w, const sp_real *b, sp_real *x)
     }
 }
 
+/* Nine digits of the residual are enough, who wants more solves again for what is left; with eight, a needle of 1e4 : 1 at its
+ * limit takes ten times the factors. */
+static void sp__system_solve(sp__system *w, const sp_real *b, sp_real *x) { sp__system_solve_to(w, 0, b, x); }
+
 /* x <- A^-1 b as well as the factor alone can tell; x is not b. */
 static void sp__system_solve_roughly(sp__system *w, const sp_real *b, sp_real *x)
 {
@@ -310,6 +314,13 @@ static void sp__system_solve(sp__system *w, const sp_real *b, sp_real *x)
     if (paid && sp__reduced(w)) sp__reduction_solve(w, b, x);
     else if (paid) sp__system_substitute(w, b, x);
     else memset(x, 0, 6 * (size_t)w->L.n * sizeof *x);
+}
+
+/* The same: such a factor leaves rounding. */
+static void sp__system_solve_to(sp__system *w, sp_real left, const sp_real *b, sp_real *x)
+{
+    (void)left;
+    sp__system_solve(w, b, x);
 }
 
 static void sp__system_solve_roughly(sp__system *w, const sp_real *b, sp_real *x) { sp__system_solve(w, b, x); }

@@ -117,9 +117,8 @@ SP__NOINLINE static sp_real sp__newton_step(sp__system *w, sp__newton *n, int fi
 /* y += (Aeq S DP Aeq')^-1 (-r), with the factor at hand. */
 static void sp__newton_correct(sp__system *w)
 {
-    for (size_t k = 0; k < 6 * (size_t)w->pb->blocks; k++) w->d[k] = -w->r[k];
-    sp__system_solve(w, w->d, w->d);
-    sp__system_axpy(w, 1, w->d, w->y);
+    sp__system_solve_to(w, SP__CORRECTED, w->r, w->d);
+    sp__system_axpy(w, -1, w->d, w->y);
 }
 
 /* The goal is reached: where digits lack, a few more steps with the factor at hand while each gains one; then imbalance as

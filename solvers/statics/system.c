@@ -183,6 +183,7 @@ static size_t sp__form_numbers(sp__form form, const sp_settings *set, int capped
 #define SP__REFINE 10                   /* steps a solution of the factor is refined by, at most */
 #define SP__REFINED ((sp_real)1e-9)     /* of the first residual that may be left */
 #endif
+#define SP__CORRECTED ((sp_real)1e-3)   /* the same where the factor is of another y, and gains few digits more */
 
 /* The reduction of a search in 3 rows a block, NULL where it has all 6; without SP__WITH_REDUCTION the compiler knows that, and
  * all that stands under it is gone. */
