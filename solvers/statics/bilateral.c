@@ -52,8 +52,8 @@ SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
         sp__system_gradient(w, SP__BILATERAL, w->y, w->r, NULL);
         if (w->budget.spent) return;
         const sp_real now = sp__system_norm(w, w->r);
-        const int held = now <= SP__SCALE_TOL * w->measure.load;
-        if (!w->singular && !held && now > last / 1000) {       /* again, for a matrix with null vectors in the load */
+        const int held = now <= SP__HELD * w->measure.load;
+        if (!w->singular && !held && now > SP__RUNS_OFF * last) {       /* again, for a matrix with null vectors in the load */
             w->singular = 1;
             it = -1;
             last = SP__HUGE;

@@ -178,6 +178,13 @@ SP__NOINLINE static void sp__newton_again(sp__system *w, sp__newton *n, sp_real 
     }
 }
 
+/* Where a step gains nothing more, twice the goal will do: in float a goal may be below what rounding leaves. */
+static void sp__newton_lower_goal(const sp__system *w, sp__newton *n)
+{
+    const sp_real enough = w->set->tol / 2;
+    if (n->best <= enough && n->imbalance > n->level / 2) n->goal = enough;
+}
+
 /* Plain Newton: quadratic unless close to collapse. Gives up after two tiny steps, a first one that leads astray, or in float
  * after a far one that leaves more imbalance than load. */
 SP__NOINLINE static void sp__newton_plain(sp__system *w, sp__newton *n, sp_state *state)
@@ -190,6 +197,7 @@ SP__NOINLINE static void sp__newton_plain(sp__system *w, sp__newton *n, sp_state
         n->level = n->imbalance;
         const sp_real s = sp__newton_step(w, n, it == 0 && !n->falls && sp__reduced(w), state);
         sp__newton_again(w, n, s, state);
+        sp__newton_lower_goal(w, n);
         tiny += !(s > 0) || (s > SP__FAR && n->imbalance > 1) ? 2 : sp__newton_adapt_shift(n, s);
     }
 }

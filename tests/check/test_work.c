@@ -23,21 +23,21 @@ enum { LARGE = 2 };                                     /* the last ones of the 
 
 static const work bench[] = {
     { "wall", "size", 54, "jitter", 0.35, 0, 0, 0, SP_STABLE, 3, 0.224, 3, 0.224, 69, 3 },
-    { "wall", "size", 54, "jitter", 0.35, 0, 8.421746, 90, SP_STABLE, 2, 1.044, 2, 1.044, 69, 4 },
-    { "wall", "size", 54, "jitter", 0.35, 0, 17.545304, 90, SP_UNSTABLE, 1, 0.992, 5, 1.934, 69, 6 },
+    { "wall", "size", 54, "jitter", 0.35, 0, 8.421746, 90, SP_STABLE, 2, 1.044, 2, 1.044, 69, 2 },
+    { "wall", "size", 54, "jitter", 0.35, 0, 17.545304, 90, SP_UNSTABLE, 1, 0.992, 5, 1.934, 69, 4 },
     { "wall", "size", 147, "jitter", 0.35, 0, 0, 0, SP_STABLE, 3, 0.603, 3, 0.603, 176.8, 3 },
     { "wall", "size", 147, "jitter", 0.35, 0, 14.323945, 0, SP_STABLE, 6, 1.098, 6, 1.098, 176.8, 6 },
-    { "wall", "size", 147, "jitter", 0.35, 0, 11.827903, 90, SP_UNSTABLE, 1, 3.041, 6, 6.658, 176.8, 14 },
-    { "wall", "size", 500, "jitter", 0.35, 0, 0, 0, SP_STABLE, 2, 2.721, 2, 2.721, 690.1, 4 },
-    { "wall", "size", 500, "jitter", 0.35, 0, 6.493036, 90, SP_UNSTABLE, 1, 16.484, 6, 38.145, 690.1, 14 },
+    { "wall", "size", 147, "jitter", 0.35, 0, 11.827903, 90, SP_UNSTABLE, 1, 3.041, 6, 6.658, 176.8, 5 },
+    { "wall", "size", 500, "jitter", 0.35, 0, 0, 0, SP_STABLE, 2, 2.721, 2, 2.721, 690.1, 2 },
+    { "wall", "size", 500, "jitter", 0.35, 0, 6.493036, 90, SP_UNSTABLE, 1, 16.484, 6, 38.145, 690.1, 10 },
     { "arch", "n", 11, NULL, 0, 0.12, 0, 0, SP_STABLE, 3, 0.038, 3, 0.038, 17.5, 3 },
     { "arch", "n", 51, NULL, 0, 0.10, 0, 0, SP_UNSTABLE, 6, 0.651, 13, 0.911, 72, 26 },
     { "arch", "n", 200, NULL, 0, 0.12, 0, 0, SP_STABLE, 6, 2.221, 6, 2.221, 275.1, 8 },
     { "arch", "n", 200, NULL, 0, 0.10, 0, 0, SP_UNSTABLE, 7, 3.065, 21, 5.705, 275.1, 63 },
-    { "dome", "rings", 12, "segments", 24, 0.10, 0, 0, SP_STABLE, 2, 24.900, 2, 24.900, 1149.0, 5 },
-    { "dome", "rings", 12, "segments", 24, 0.02, 0, 0, SP_UNSTABLE, 1, 29.441, 8, 103.230, 1149.0, 15 },
-    { "wall", "size", 2000, "jitter", 0.35, 0, 0, 0, SP_STABLE, 2, 22.027, 2, 22.027, 3935.5, 4 },
-    { "wall", "size", 2000, "jitter", 0.35, 0, 3.253203, 90, SP_UNSTABLE, 1, 161.680, 8, 493.732, 3935.5, 24 }
+    { "dome", "rings", 12, "segments", 24, 0.10, 0, 0, SP_STABLE, 2, 24.900, 2, 24.900, 1149.0, 2 },
+    { "dome", "rings", 12, "segments", 24, 0.02, 0, 0, SP_UNSTABLE, 1, 29.441, 8, 103.230, 1149.0, 8 },
+    { "wall", "size", 2000, "jitter", 0.35, 0, 0, 0, SP_STABLE, 2, 22.027, 2, 22.027, 3935.5, 2 },
+    { "wall", "size", 2000, "jitter", 0.35, 0, 3.253203, 90, SP_UNSTABLE, 1, 161.680, 8, 493.732, 3935.5, 13 }
 };
 
 static int make(const work *b, sp_scene *s)
