@@ -49,14 +49,14 @@ typedef struct sp__aside { sp_real open, apart; } sp__aside;
 #define SP__LIMIT_FIRST (SP__HAS_STRENGTH ? 3 : 1)      /* what joints resist depends on caps, and those on the multiple */
 #define SP__LIMIT_ASKS 60               /* where joints have strength: an interval is halved */
 #define SP__LIMIT_FAR 1000              /* multiple, in ref, from which on forces are nearly those of live loads alone */
-#ifdef SP_REAL_MIXED
+#if defined SP_REAL_MIXED
 #define SP__LIMIT_STEP 400              /* tol below a motion's balance where forces are asked for: float sees no nearer */
+#define SP__LIMIT_HALVED (2 * SP__LIMIT_STEP)   /* tol between both ends at which halving has an end */
+#elif defined SP_REAL_FLOAT
+#define SP__LIMIT_STEP 20               /* nearer than that a question takes a hundred factorisations, and may stay open */
+#define SP__LIMIT_HALVED 8
 #else
 #define SP__LIMIT_STEP 4
-#endif
-#if defined SP_REAL_FLOAT || defined SP_REAL_MIXED
-#define SP__LIMIT_HALVED (2 * SP__LIMIT_STEP)   /* tol between both ends at which halving has an end */
-#else
 #define SP__LIMIT_HALVED (25 * SP__LIMIT_STEP)
 #endif
 #define SP__LIMIT_ASIDE (2 * SP__LIMIT_HALVED)  /* tol from a question left open to the first ones beside it */
