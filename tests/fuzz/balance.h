@@ -168,6 +168,37 @@ static void displaced(const sp_scene *s, const sp_real *dq, int32_t b, int32_t v
     for (int k = 0; k < 3; k++) u[k] += (double)dq[6 * b + k];
 }
 
+/* The conditions of the coupled check: forces that balance, corners no deeper than eps and no farther than eta, pressed ones as
+ * deep as eps, friction against its slip.                                                        [Kao 2022, Eqs. 8-11] */
+static void triple(const sp_scene *s, const sp_result *r)
+{
+    const double eps = (double)r->coupled.eps, eta = (double)r->coupled.eta, little = 1e-5 * (eps > 0 ? eps : eta);
+    double most = 0;
+    HOLDS(left(s, r->f) <= 2 * (double)r->tol + 1e-12, "coupled, and %g is left", left(s, r->f));
+    for (int32_t v = 0; v < s->count.points; v++) most = fmax(most, fabs((double)r->f[3 * v]));
+    for (int32_t q = 0; q < s->count.joints; q++) {
+        const sp_joint *j = &s->joint[q];
+        for (int32_t v = j->point; v < j->point + j->points; v++) {
+            const double fn = (double)r->f[3 * v], f1 = (double)r->f[3 * v + 1], f2 = (double)r->f[3 * v + 2];
+            const double ft = hypot(f1, f2);
+            double u[3], a[3], d[3] = { 0, 0, 0 };
+            displaced(s, r->coupled.dq, j->b, v, u);
+            displaced(s, r->coupled.dq, j->a, v, a);
+            for (int k = 0; k < 3; k++) {
+                d[0] += (u[k] - a[k]) * (double)j->n[k];
+                d[1] += (u[k] - a[k]) * (double)j->t1[k];
+                d[2] += (u[k] - a[k]) * (double)j->t2[k];
+            }
+            const double slip = hypot(d[1], d[2]);
+            carried(j, r->f + 3 * v);
+            HOLDS(d[0] >= -eps - little && fmax(d[0], slip) <= eta + little, "corner %d: dn %g, |dt| %g", (int)v, d[0], slip);
+            if (fn > 1e-6 * most) HOLDS(d[0] <= -eps + little, "corner %d: fn %g, dn %g", (int)v, fn, d[0]);
+            if (ft > 1e-6 * most)
+                HOLDS(f1 * d[1] + f2 * d[2] < -0.99 * ft * slip, "corner %d: ft %g, |dt| %g", (int)v, ft, slip);
+        }
+    }
+}
+
 /* How far corner v opens, and how far it slips.     returns how far both blocks move there */
 static double corner_moves(const sp_scene *s, const sp_real *dq, const sp_joint *j, int32_t v, double *opening, double *slip)
 {

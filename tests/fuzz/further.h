@@ -31,6 +31,7 @@ static void coupled(const sp_scene *s, const sp_result *r, sp_settings set, unsi
     if (!other.f) return;
     asked(COUPLED);
     HOLDS(!(v == SP_STABLE && r->verdict == SP_UNSTABLE), "coupled, not admissible");
+    if (other.coupled.verdict == SP_COUPLING_COUPLED) triple(s, &other);
 }
 
 static void with_a_budget(const sp_scene *s, const sp_result *r, sp_settings set, unsigned more)

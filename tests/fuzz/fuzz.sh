@@ -79,14 +79,14 @@ as_scene() {                                            # as_scene FILE: what wa
     [ $as_status -le 2 ]
 }
 # The library with a fault put in, by sed of one line of the certificate check: it must be found, and made small.
-planted() {                                             # planted FOLDER SED: its end into FOLDER.status
+planted() {                                             # planted FOLDER SED FILE: its end into FOLDER.status
     rm -rf "$1" "$1"-found*
     mkdir -p "$1"
     cp -r stonepack.c stonepack.h solvers "$1"
-    sed -i "$2" "$1/solvers/proof/forces.c"
+    sed -i "$2" "$1/solvers/proof/$3"
     pl_status=0
     # shellcheck disable=SC2086
-    { ! cmp -s solvers/proof/forces.c "$1/solvers/proof/forces.c" && gcc $plain -c "$1/stonepack.c" -o "$1.o" &&
+    { ! cmp -s "solvers/proof/$3" "$1/solvers/proof/$3" && gcc $plain -c "$1/stonepack.c" -o "$1.o" &&
         gcc $plain -O1 tests/fuzz/fuzz_scene.c port/fuzz/bytes.c tests/fuzz/loop.c "$1.o" -lm -o "$1/scene" &&
         ! FOUND=$1-found "$1/scene" 20000x 1 $out/seeds/scene/* > "$1.log" 2>&1 &&
         [ "$(wc -c < "$1-found")" -le 60 ]; } || pl_status=1
@@ -186,11 +186,13 @@ else
     else afl; fi
 fi
 case " $targets " in *" scene "*)
-    planted $out/planted-1 's/resist += cap \* P;/resist += 0 * P;/' &
-    planted $out/planted-2 's/sp__ratio(sp__norm3(row + 3), Si)/0/' &
+    planted $out/planted-1 's/resist += cap \* P;/resist += 0 * P;/' forces.c &
+    planted $out/planted-2 's/sp__ratio(sp__norm3(row + 3), Si)/0/' forces.c &
+    planted $out/planted-3 's/return worst < SP__HUGE ? worst : SP__HUGE;/return 0;/' triple.c &
     wait
     found $out/planted-1 'a motion that contacts resist'
-    found $out/planted-2 'moments that nothing balances' ;;
+    found $out/planted-2 'moments that nothing balances'
+    found $out/planted-3 'motions that explain no forces' ;;
 esac
 echo "$passed passed, $bad failed"
 [ $bad -eq 0 ]
