@@ -7,7 +7,7 @@
 #     sh tests/fuzz/fuzz.sh --quick [TARGET...] a plain loop (loop.c): all targets with gcc's ASan and UBSan, then those that
 #                                               ask the library alone, optimised; FUZZ_SECONDS (4) of processor each, 20,000
 #                                               scenes; inputs that campaigns have kept, once each; AFL++, AFL_SECONDS (3) each
-# With `scene` two faults are put into the certificate check at the end, and must be found. Very many executions: campaign.sh.
+# With `scene` three faults are put into the certificate check at the end, and must be found. Very many executions: campaign.sh.
 #
 #     scene   a small scene by port/fuzz, every question, its invariants          obj    scene files, JSON of COMPAS
 #     qp      sp_qp_solve                                                         qps    files of quadratic programs
