@@ -83,6 +83,8 @@ part "remark: cm taken for m"               remarks 'weighs .* t, more than any 
 part "remark: m taken for mm"               remarks 'smaller than 1 mm.*: another --unit' --fixed lowest --unit mm arch-small.obj
 part "remark: g/cm^3 taken for kg/m^3"      remarks 'density of 2.4 kg/m^3, less than any foam' --fixed lowest arch-light.obj
 part "remark: a support far away"           remarks 'no support touches a block' --fixed far arch-far.obj
+part "remark: friction told by its angle"   remarks "friction of 'b1' and 'b2' is 35, more than of any stones.*: --mu 0.7" --mu 35 wall-whole.obj
+part "remark: nothing slides, as meant"     quiet --mu 1e6 wall-whole.obj
 part "remark: a joint off its blocks"       remarks "1 joint lies off the blocks told for it, that of 'ground' and 'stone'" joint-far.obj
 part "remark: down was told"                quiet --fixed b0,b16 --unit mm --gravity 0,0,-9.8 arch-y.obj
 part "remark: nothing of a sound model"     quiet whole.obj

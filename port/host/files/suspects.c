@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #define LARGE     100.0                 /* [m] no stone is that long */
@@ -9,6 +10,9 @@
 #define HEAVIEST  2e6                   /* [kg] the heaviest stone ever quarried in one piece: some 1650 t, at Baalbek */
 #define DENSEST   23000.0               /* [kg/m^3] osmium has 22590 */
 #define LIGHTEST  5.0                   /* [kg/m^3] foams begin at some 10: g/cm^3 are below */
+#define ROUGHEST  5.0                   /* friction that no stones have, */
+#define STEEPEST  90.0                  /* but that an angle in degrees may be; beyond it nothing is meant to slide */
+#define DEGREE    (3.14159265358979323846 / 180)
 #define LEVEL     0.1                   /* a normal with a smaller part of itself along gravity carries little by pressure */
 #define WEDGED    0.01                  /* but stones of a flat arch rest on each other by as little */
 #define SOME      0.1                   /* share of all area */
@@ -78,6 +82,21 @@ static void suspect_densities(const sp_scene *s, const char *const *name, remark
         if (s->block[b].fixed || !(density > DENSEST || (density > 0 && density < LIGHTEST))) continue;
         remarks_add(r, NULL, "block '%.60s' has a density of %.3g kg/m^3, %s", name[b], density,
                     density > DENSEST ? "more than any metal" : "less than any foam; stone has some 2400");
+        return;
+    }
+}
+
+/* The first joint whose friction looks like its angle. */
+static void suspect_friction(const sp_scene *s, const char *const *name, remarks *r)
+{
+    for (int32_t i = 0; i < s->count.joints; i++) {
+        const sp_joint *t = &s->joint[i];
+        const double mu = (double)t->strength.mu;
+        char option[32];
+        if (!(mu > ROUGHEST && mu < STEEPEST)) continue;
+        snprintf(option, sizeof option, "--mu %.3g", tan(mu * DEGREE));
+        remarks_add(r, option, "the friction of '%.60s' and '%.60s' is %.3g, more than of any stones; it is the tangent of an "
+                    "angle", name[t->a], name[t->b], mu);
         return;
     }
 }
@@ -172,4 +191,5 @@ void suspects_find(const sp_scene *scene, const char *const *name, suspects_know
     if (!known.down) suspect_direction(scene, r);
     suspect_sizes(scene, name, known, r);
     suspect_densities(scene, name, r);
+    suspect_friction(scene, name, r);
 }
