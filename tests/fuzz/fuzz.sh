@@ -163,7 +163,7 @@ if [ -z "$quick" ] && command -v clang > /dev/null; then
 else
     san='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
     # shellcheck disable=SC2086
-    fresh build/asan.o || gcc $plain $san -c stonepack.c -o build/asan.o
+    fresh build/asan.o || gcc $plain $san -fPIC -c stonepack.c -o build/asan.o
     for t in $targets; do alone "$t" || { program $out/gcc gcc $san; break; }; done
     for t in $targets; do
         # shellcheck disable=SC2086
