@@ -21,6 +21,7 @@
 #define SP__LIMIT_NEAR SP__SCALE_TOL    /* gap of both ends, relative, at which forces at the limit are tried */
 #define SP__LIMIT_MOST 100              /* interior-point iterations: an optimum takes more than a verdict */
 #define SP__LIMIT_CLOSE ((sp_real)0.03) /* of the way that the predictor does not get: the end is near, and steps go farther */
+#define SP__LIMIT_ROUGH ((sp_real)1e-6) /* of the predictor's residual that may be left: its motion is judged by itself */
 #ifdef SP_REAL_FLOAT
 #define SP__LIMIT_KEEP SP__IPM_KEEP
 #define SP__LIMIT_FIRST_NEAR ((sp_real)1e-3)    /* where they are tried first */
@@ -123,7 +124,7 @@ SP__NOINLINE static void sp__interior_motions(sp__limit *L)
     g->h.m.corrected = 0;
     g->h.m.sigma = 0;
     sp__ipm_sweep(w, &g->h.m, SP__AIM, w->d);
-    sp__system_solve(w, w->d, w->d);
+    sp__system_solve_to(w, SP__LIMIT_ROUGH, w->d, w->d);
     sp__limit_candidate(L, w->y);
     if (!(G[0] > 0)) return;
     for (size_t k = 0; k < n; k++) w->r[k] = w->y[k] + w->d[k];
