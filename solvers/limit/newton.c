@@ -53,7 +53,7 @@ typedef struct sp__aside { sp_real open, apart; } sp__aside;
 #define SP__LIMIT_STEP 400              /* tol below a motion's balance where forces are asked for: float sees no nearer */
 #define SP__LIMIT_HALVED (2 * SP__LIMIT_STEP)   /* tol between both ends at which halving has an end */
 #elif defined SP_REAL_FLOAT
-#define SP__LIMIT_STEP 20               /* nearer than that a question takes a hundred factorisations, and may stay open */
+#define SP__LIMIT_STEP (SP__WITH_SMALL ? 4 : 20)        /* nearer a search takes a hundred factorisations */
 #define SP__LIMIT_HALVED 8
 #else
 #define SP__LIMIT_STEP 4
