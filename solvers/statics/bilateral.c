@@ -63,7 +63,7 @@ SP__NOINLINE static void sp__bilateral_solve(sp__system *w)
         }
         const sp_real rounding = 64 * (sp_real)SP_EPSILON * w->measure.load;
         left = now > rounding ? rounding / now : 1;
-        once = held && now > rounding && now * now <= rounding * last;
+        once = held && now > rounding && now <= SP__FORETELLS * last && now * now <= rounding * last;
         if (once || now <= rounding || (now > last / 4 && (w->singular || held))) break;
         last = now;
     }

@@ -8,6 +8,7 @@
 #define SP__SHIFT ((sp_real)1e-6)       /* diagonal shift that keeps a semidefinite matrix of unit size factorable */
 #define SP__HELD ((sp_real)2e-3)        /* share of the load that rounding leaves where bilateral joints hold it */
 #define SP__RUNS_OFF ((sp_real)0.25)    /* of a residual: where a correction leaves more, null vectors have a part in it */
+#define SP__FORETELLS ((sp_real)3e-5)   /* the same: where it leaves more, that is rounding, which foretells nothing */
 #define SP__PROX ((sp_real)3e-7)        /* end of the proximal path: a few roundings of the diagonal */
 #define SP__DEEP ((sp_real)1e-4)        /* so far down the path proofs are tried even while the imbalance falls */
 #define SP__TIE ((sp_real)2e-4)         /* where on the path rigid groups show */
@@ -23,6 +24,7 @@
 #define SP__SHIFT ((sp_real)1e-13)
 #define SP__HELD SP__SCALE_TOL
 #define SP__RUNS_OFF ((sp_real)1e-3)
+#define SP__FORETELLS 1
 #define SP__PROX ((sp_real)1e-15)
 #define SP__DEEP SP__SHIFT
 #define SP__TIE ((sp_real)1e-8)

@@ -48,7 +48,7 @@ TEST(what_has_a_mirror_is_decided_in_the_plane_with_a_third_of_the_work)
             CHECK_INT(r.verdict, scene[k].verdict);
             CHECK_INT(r.effect[SP_EFFECT_DEPTH], SP_WHY_MIRROR);
             CHECK_INT(all.effect[SP_EFFECT_DEPTH], SP_WHY_ASKED);
-            if (!CHECK((scene[k].at_once ? R(TOL(1.2, 1.1)) : R(2.2)) * (sp_real)r.spent.total.flops <= (sp_real)all.spent.total.flops))
+            if (!CHECK((scene[k].at_once ? R(1.2) : R(2.2)) * (sp_real)r.spent.total.flops <= (sp_real)all.spent.total.flops))
                 TEST_PRINT("    %s: %ld of %ld flops\n", scene[k].name, (long)r.spent.total.flops, (long)all.spent.total.flops);
             CHECK(scene[k].verdict == SP_UNSTABLE || r.imbalance <= r.tol / 2);
             if (scene[k].at_once) continue;
