@@ -179,7 +179,7 @@ SP__NOINLINE static void sp__newton_again(sp__system *w, sp__newton *n, sp_real 
 }
 
 /* Where a step gains nothing more, twice the goal will do: in float a goal may be below what rounding leaves. */
-static void sp__newton_lower_goal(const sp__system *w, sp__newton *n)
+static void sp__newton_raise_goal(const sp__system *w, sp__newton *n)
 {
     const sp_real enough = w->set->tol / 2;
     if (n->best <= enough && n->imbalance > n->level / 2) n->goal = enough;
@@ -197,7 +197,7 @@ SP__NOINLINE static void sp__newton_plain(sp__system *w, sp__newton *n, sp_state
         n->level = n->imbalance;
         const sp_real s = sp__newton_step(w, n, it == 0 && !n->falls && sp__reduced(w), state);
         sp__newton_again(w, n, s, state);
-        sp__newton_lower_goal(w, n);
+        sp__newton_raise_goal(w, n);
         tiny += !(s > 0) || (s > SP__FAR && n->imbalance > 1) ? 2 : sp__newton_adapt_shift(n, s);
     }
 }
