@@ -1403,7 +1403,8 @@ typedef struct sp_state {
     sp_real *dq;                /* 6 x blocks: candidate mechanism */
     int16_t has_y0;
     int16_t brief;              /* 1: the caller has other questions: give up where the likeliest way comes to nothing;
-                                   2, of float: the search in the plane came to a motion that falls within tol */
+                                   2, of float: the search in the plane came to a motion that falls within tol;
+                                   3: only forces are wanted, of a motion no more than that there is one */
     sp_reason reason;           /* why, when a stage claims */
     sp_real tension_ratio;      /* max fm / max fp of the penalty form, -1 unless a stage solved it */
     sp_cost cost;               /* of the running stage */

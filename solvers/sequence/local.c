@@ -157,6 +157,7 @@ SP__NOINLINE static int sp__local_solve(sp_sequence *q)
     if (c->set.iterations > SP__LOCAL_STEPS) c->set.iterations = SP__LOCAL_STEPS;
     c->set.tol *= SP__LOCAL_TOL;
     c->state.left = sp__budget_left(&c->set, &c->r);
+    c->state.brief = SP__BRIEF_FORCES;
     const sp_status status = sp__exact_search(&c->pb, &c->set, reduction, &c->state, &a, &claim);
     sp__cost_add(&q->spent.cost, &c->state.cost);
     q->spent.again += c->pb.blocks;

@@ -58,6 +58,7 @@
 #define SP__IPM_KEEP ((sp_real)0.99)    /* share of the way to the boundary */
 #define SP__IPM_NOWHERE ((sp_real)0.1)  /* length of a step that gets nowhere */
 #define SP__BRIEF_FELL 2                /* state->brief: the search in the plane has come to a motion that was within tol */
+#define SP__BRIEF_FORCES 3              /* the same: only forces are wanted, of a motion no more than that there is one */
 #define SP__IPM_IDLE 8                  /* so many of them one after the other end it: rounding holds theta */
 #define SP__IPM_PATIENT 24              /* with strength: steps that got nowhere are often followed by some that do */
 #ifdef SP_REAL_MIXED

@@ -105,7 +105,7 @@ SP__NOINLINE static sp_real sp__newton_step(sp__system *w, sp__newton *n, int fi
     }
     for (size_t k = 0; k < size; k++) w->d[k] = -w->r[k] - n->prox * w->y[k];
     sp__system_solve(w, w->d, w->d);
-    sp__newton_record_proof(w, n, w->d, state);
+    if (state->brief != SP__BRIEF_FORCES) sp__newton_record_proof(w, n, w->d, state);
     const sp_real s = sp__newton_move(w, n, first, state);
     if (n->imbalance > n->goal && !n->proved) {
         sp__newton_record_proof(w, n, w->y, state);
