@@ -1627,7 +1627,8 @@ SP_API sp_settings sp_settings_seed(void);
  *   SP_API          linkage of the public calls              extern; `static` makes the library private to one file
  *   SP_REAL_FLOAT   defined: all numbers are float           double
  *   SP_REAL_MIXED   defined, and SP_REAL_FLOAT not: block factors of the search in space are float, and what they solve is
- *                   refined in double by conjugate gradients; the same verdicts as double, to a relative 1e-6 of a limit
+ *                   refined in double by conjugate gradients; the same verdicts as double, to a relative 1e-6 of a limit;
+ *                   7 kB of stack
  *   SP_SQRT(x)      correctly rounded square root            sqrt / sqrtf of the C library
  *   SP_ASSERT(c)    checks of internal assumptions           nothing
  *   SP_SMALL        defined: every call below in its smallest form, a third of the code. True cone, joints without strength,

@@ -188,8 +188,42 @@ static void sp__bchol_right(sp__low *x, const sp__low *l)
     sp__bchol_flush(x);
 }
 
-/* C <- C - sum of A B' over `wide` columns, A at a[m] + at, B at b[m]; all 6 x 6 by columns. Written out because compilers at
- * -O2 do not unroll it. */
+/* C <- C - sum of A B' over `wide` columns, A at a[m] + at, B at b[m] as sp__bchol_spread makes it; all 6 x 6 by columns.
+ * Written out because compilers at -O2 do not unroll it. */
+#ifdef SP_REAL_MIXED
+#define SP__SPREAD 216                  /* numbers of a block that is spread; with one for each column at hand, 7 kB of stack */
+
+/* Each number of b six times, so that compilers take four floats of C at a time, two columns by three fours. */
+SP__NOINLINE static const sp__low *sp__bchol_spread(const sp__low *b, sp__low *room)
+{
+    sp__low *e = room;
+    for (int k = 0; k < 36; k++, e += 6) e[0] = e[1] = e[2] = e[3] = e[4] = e[5] = b[k];
+    return room;
+}
+
+static void sp__bchol_update(sp__low *c, int wide, const sp__low *const *a, const sp__low *const *b, size_t at)
+{
+    for (int q = 0; q < 36; q += 12, c += 12) {
+        sp__low z0 = c[0], z1 = c[1], z2 = c[2], z3 = c[3], z4 = c[4], z5 = c[5];
+        sp__low y0 = c[6], y1 = c[7], y2 = c[8], y3 = c[9], y4 = c[10], y5 = c[11];
+        for (int m = 0; m < wide; m++) {
+            const sp__low *l = a[m] + at, *e = b[m] + q;
+#define SP__STEP(l, e) \
+    z0 -= (l)[0] * (e)[0]; z1 -= (l)[1] * (e)[1]; z2 -= (l)[2] * (e)[2]; z3 -= (l)[3] * (e)[3]; \
+    z4 -= (l)[4] * (e)[4]; z5 -= (l)[5] * (e)[5]; y0 -= (l)[0] * (e)[6]; y1 -= (l)[1] * (e)[7]; \
+    y2 -= (l)[2] * (e)[8]; y3 -= (l)[3] * (e)[9]; y4 -= (l)[4] * (e)[10]; y5 -= (l)[5] * (e)[11];
+            SP__STEP(l, e) SP__STEP(l + 6, e + 36) SP__STEP(l + 12, e + 72)
+            SP__STEP(l + 18, e + 108) SP__STEP(l + 24, e + 144) SP__STEP(l + 30, e + 180)
+#undef SP__STEP
+        }
+        c[0] = z0; c[1] = z1; c[2] = z2; c[3] = z3; c[4] = z4; c[5] = z5;
+        c[6] = y0; c[7] = y1; c[8] = y2; c[9] = y3; c[10] = y4; c[11] = y5;
+    }
+}
+#else
+#define SP__SPREAD 1
+static const sp__low *sp__bchol_spread(const sp__low *b, sp__low *room) { (void)room; return b; }
+
 static void sp__bchol_update(sp__low *c, int wide, const sp__low *const *a, const sp__low *const *b, size_t at)
 {
     for (int q = 0; q < 6; q++, c += 6) {
@@ -203,6 +237,7 @@ static void sp__bchol_update(sp__low *c, int wide, const sp__low *const *a, cons
         c[0] = z0; c[1] = z1; c[2] = z2; c[3] = z3; c[4] = z4; c[5] = z5;
     }
 }
+#endif
 
 /* C <- C - A A', the lower triangle C. */
 static void sp__bchol_square(sp__low *c, const sp__low *a)
@@ -275,9 +310,9 @@ static void sp__supernode_within(const sp__supernode *s)
         sp__bchol_block(d, s->floor);
         for (int32_t q = 0; q < own; q++) sp__bchol_right(x + 36 * (size_t)q, d);
         for (int32_t b = 0; b < own; b++) {
-            const sp__low *const from[1] = { x }, *const xb[1] = { x + 36 * (size_t)b };
-            sp__low *to = f->x + 36 * (size_t)f->p[j + 1 + b];
-            sp__bchol_square(f->d + 21 * (size_t)(j + 1 + b), xb[0]);
+            sp__low *to = f->x + 36 * (size_t)f->p[j + 1 + b], *at = x + 36 * (size_t)b, room[SP__SPREAD];
+            const sp__low *const from[1] = { x }, *const xb[1] = { sp__bchol_spread(at, room) };
+            sp__bchol_square(f->d + 21 * (size_t)(j + 1 + b), at);
             for (int32_t a = b + 1; a < own; a++, to += 36) sp__bchol_update(to, 1, from, xb, 36 * (size_t)a);
         }
     }
@@ -287,13 +322,13 @@ static void sp__supernode_within(const sp__supernode *s)
 static void sp__supernode_rows(void *job, int32_t t)
 {
     const sp__supernode *s = job;
-    sp__low *x[SP__SUPERNODE];
+    sp__low *x[SP__SUPERNODE], room[SP__SUPERNODE][SP__SPREAD];
     const sp__low *a[SP__SUPERNODE], *b[SP__SUPERNODE];
     sp__supernode_columns(s, x);
     for (int m = 0; m < s->wide; m++) a[m] = x[m];
     for (int m = 0; m < s->wide; m++) {
         const sp__low *d = s->f->d + 21 * (size_t)(s->k + m);
-        for (int c = 0; c < m; c++) b[c] = x[c] - 36 * (size_t)(s->wide - m);
+        for (int c = 0; c < m; c++) b[c] = sp__bchol_spread(x[c] - 36 * (size_t)(s->wide - m), room[c]);
         for (int32_t r = t; r < s->below; r += s->tasks) {
             sp__bchol_update(x[m] + 36 * (size_t)r, m, a, b, 36 * (size_t)r);
             sp__bchol_right(x[m] + 36 * (size_t)r, d);
@@ -307,15 +342,16 @@ static void sp__supernode_beyond(void *job, int32_t t)
     const sp__supernode *s = job;
     const sp__bchol *f = s->f;
     const int32_t *row = f->i + f->p[s->k + s->wide - 1];
-    sp__low *x[SP__SUPERNODE];
+    sp__low *x[SP__SUPERNODE], room[SP__SUPERNODE][SP__SPREAD];
     const sp__low *a[SP__SUPERNODE], *b[SP__SUPERNODE];         /* blocks of its columns below it; of the row at hand */
     sp__supernode_columns(s, x);
     for (int m = 0; m < s->wide; m++) a[m] = x[m];
     for (int32_t c = t; c < s->below; c += s->tasks) {
         int32_t to = f->p[row[c]];
         for (int m = 0; m < s->wide; m++) {
-            b[m] = x[m] + 36 * (size_t)c;
-            sp__bchol_square(f->d + 21 * (size_t)row[c], b[m]);
+            const sp__low *at = x[m] + 36 * (size_t)c;
+            sp__bchol_square(f->d + 21 * (size_t)row[c], at);
+            b[m] = c + 1 < s->below ? sp__bchol_spread(at, room[m]) : at;
         }
         for (int32_t r = c + 1; r < s->below; r++) {
             while (f->i[to] < row[r]) to++;
