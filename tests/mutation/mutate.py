@@ -3,7 +3,7 @@
 
     python3 -B tests/mutation/mutate.py [--of proof|verify|limit|small|core|PATH...] [--sample N [--after N]] [--seed N] [--jobs N]
                                         [--guided] [--longest MS] [--hashes] [--line FILE:N] [--list] [--table FILE]
-                                        [--least PERCENT] [--kept FILE [--minutes M]]
+                                        [--least PERCENT] [--kept FILE [--minutes M]] [--constants [--float]]
 
 Each mutant is the library with one place changed: a relation, an arithmetic sign, a number, a condition negated, a statement left out.
 It is compiled whole by tcc, else by CC at -O0, linked with the suites, which are compiled once (white-box suites that include the
@@ -23,6 +23,10 @@ no test noticed. What changes nothing that anyone could see is listed in equival
     --minutes   no new mutant is begun after so many
     --table     adds a row for each folder to a CSV: what, mutants, killed, equivalent, invalid
     --least     exit status 1 where fewer per cent are killed
+    --constants instead of all these, numbers that have a name or no whole value, each made larger and smaller: those of #define, enum
+                and static tables, and in functions decimals and multiples of SP_EPSILON. A whole number by 1; one with an exponent,
+                or a multiple of SP_EPSILON, four times and a quarter; any other decimal by a tenth
+    --float     the build with SP_REAL_FLOAT, which has constants of its own
 """
 import argparse, fcntl, hashlib, json, os, re, resource, shutil, subprocess, sys, time
 from concurrent.futures import ThreadPoolExecutor
@@ -64,9 +68,9 @@ def blank_comments(text):
 
 
 def compiled_lines(path):
-    """Numbers of the lines that the preprocessor keeps in the build at hand."""
+    """Numbers of the lines that the preprocessor keeps in the build at hand, its #define too."""
     keep, file, number = set(), '', 0
-    for line in run(['gcc', '-E', *FLAGS, 'stonepack.c']).stdout.split('\n'):
+    for line in run(['gcc', '-E', '-dD', *FLAGS, 'stonepack.c']).stdout.split('\n'):
         mark = re.match(r'# (\d+) "([^"]*)"', line)
         if mark:
             number, file = int(mark.group(1)), os.path.normpath(mark.group(2))
@@ -109,14 +113,49 @@ def changes(code):
         yield 'statement', m.start(1), m.end(1), ';'
 
 
+NUMBER = re.compile(r'(?<![\w.])(?:(?P<decimal>\d+\.\d*(?:[eE][-+]?\d+)?|\.?\d+[eE][-+]?\d+)f?|(?P<whole>\d+))(?![\w.])')
+
+
+def other_numbers(code, begin, only_decimals):
+    """(kind, from, to, new text) of a larger and a smaller number for each from column `begin` on."""
+    for m in NUMBER.finditer(code, begin):
+        of_rounding = re.match(r' \* (\(sp_real\))?SP_EPSILON', code[m.end():])
+        if m.group('whole') and only_decimals and not of_rounding: continue
+        name, x = ('decimal', float(m.group('decimal'))) if m.group('decimal') else ('whole', int(m.group('whole')))
+        if of_rounding or 'e' in m.group(0).lower(): new = 4 * x, x / 4
+        else: new = (x + 1, x - 1) if name == 'whole' else (1.1 * x, 0.9 * x)
+        for y in new: yield 'constant', m.start(name), m.end(name), '%.17g' % y if name == 'decimal' and len(m.group(0)) > 12 else '%.12g' % y
+
+
+def constants(text):
+    """(line number, kind, from, to, new text) of every constant in another size."""
+    where = ''                                                  # in an enum or a static table outside functions
+    plain = re.sub(r'/\*.*?\*/|"(?:\\.|[^"\\])*"', lambda m: re.sub(r'[^\n]', ' ', m.group(0)), text, flags=re.S)
+    for number, code in enumerate(plain.split('\n'), 1):
+        name = re.match(r'[ \t]*#[ \t]*define[ \t]+\w+[ \t]', code)
+        opens = re.match(r'enum\b[^{;]*\{|static const [^=;(]*= ', code)
+        if opens: where = 'table'
+        if name: found = other_numbers(code, name.end(), False)
+        elif where: found = other_numbers(code, opens.end() if opens else 0, False)
+        elif code.startswith(' '): found = other_numbers(code, 0, True)
+        else: found = ()
+        if re.search(r';\s*$', code): where = ''
+        for change in found: yield (number, *change)
+
+
 def mutants_of(path):
     """(file, line number, kind, old line, new line)"""
     with open(path) as f: text = f.read()
     keep, lines, found = compiled_lines(path), text.split('\n'), []
+
+    def add(number, kind, a, b, new):
+        old = lines[number - 1]
+        found.append((path, number, kind, old, old[:a] + new + old[b:]))
     for number, code in enumerate(blank_comments(text).split('\n'), 1):
         if number not in keep or not code.startswith(' '): continue         # bodies of functions only
-        old = lines[number - 1]
-        for kind, a, b, new in changes(code): found.append((path, number, kind, old, old[:a] + new + old[b:]))
+        for change in changes(code): add(number, *change)
+    for number, *change in constants(text):
+        if number in keep: add(number, *change)
     return found
 
 
@@ -425,11 +464,14 @@ def main():
     say.add_argument('--kept')
     say.add_argument('--again', action='store_true')
     say.add_argument('--minutes', type=float, default=1e9)
+    say.add_argument('--constants', action='store_true')
+    say.add_argument('--float', action='store_true')
     say.add_argument('--table')
     say.add_argument('--least', type=float, default=0)
     args = say.parse_args()
 
     if args.of == ['small']: FLAGS.append('-DSP_SMALL')
+    if args.float: FLAGS.append('-DSP_REAL_FLOAT')
     files = sorted({f for what in args.of for pattern in SETS.get(what, [what]) for f in glob(pattern)})
     found, known = [m for f in files for m in mutants_of(f)], equivalents()
     if args.line: found = [m for m in found if '%s:%d' % (m[0].replace('solvers/', ''), m[1]) in args.line]
@@ -437,6 +479,8 @@ def main():
     used = {(m[0], m[4].strip()) for m in same}
     for file, text in known - used:
         if file in files and not args.line: print('no such mutant, listed as equivalent: %s: %s' % (file, text))
+    found = [m for m in found if (m[2] == 'constant') == args.constants]
+    same = [m for m in same if m in found]
     rest = [m for m in found if (m[0], m[4].strip()) not in known]
     if args.sample: rest = sample(rest, args.sample, args.seed)[args.after:]
     if args.list:
