@@ -44,6 +44,24 @@ TEST(the_default_lengths_follow_the_mean_edge)
     CHECK_NEAR(r.coupled.eta, 1e-2, 1e-6);
 }
 
+/* 1e-6, in float 1e-4: what is finer stays, what is coarser does not, where it is asked. */
+TEST(a_coupled_check_balances_to_a_millionth_at_least)
+{
+    const double most = TOL(1e-6, 1e-4), tol[] = { 0.5, 0.99, 1, 1.01, 100 };
+    for (int k = 0; k < 5; k++)
+        for (int it_is = 0; it_is < 2; it_is++) {
+            sp_settings set = sp_settings_default();
+            sp_scene s;
+            sp_result r;
+            test_arena.used = 0;
+            build("two-cubes", "offset", 0, &s);
+            set.coupled.asked = it_is;
+            set.tol = R(most * tol[k]);
+            NEED(sp_check(&s, &set, &test_arena, &r) == SP_OK);
+            CHECK_NEAR(r.tol, it_is && k > 1 ? most : most * tol[k], TOL(1e-15, 1e-6));
+        }
+}
+
 static sp_coupling of(const char *name, const char *param, double value)
 {
     sp_scene s;
@@ -474,6 +492,7 @@ TEST_LIST(coupled)
     RUN(what_statics_refuse_is_refuted)
     RUN(what_rests_without_load_is_coupled_as_it_is)
     RUN(the_default_lengths_follow_the_mean_edge)
+    RUN(a_coupled_check_balances_to_a_millionth_at_least)
     RUN(what_stands_by_its_weight_is_coupled)
     RUN(the_price_of_a_certificate_is_told_and_contains_its_judge)
     RUN(the_h_model_is_never_coupled)

@@ -508,6 +508,32 @@ TEST(each_condition_of_a_triple_is_just_met_and_just_exceeded)
     }
 }
 
+/* In units of L: a gap, of pressure and at eta, by 1e-10, and rounding hides 16 u of what moves, 1e-6 at the most; friction is
+ * opposite to slip by 1e-6 of it, of slip of at least 1e-6, and 4e6 u of what moves. In float 1e-4, 1e-2, 1e-2, and 400 u. */
+TEST(what_a_triple_may_be_out_by_is_met_and_exceeded_in_numbers)
+{
+    const sp__lengths k = { 1, 0, 2 };
+    const double u = (double)SP_EPSILON, give = TOL(1e-10, 1e-4), most = TOL(1e-6, 1e-2), slip = TOL(1e-6, 1e-2);
+    const double hides = 16 * u, blurs = TOL(4e6, 400) * u;
+    const sp_real none[3] = { 0, 0, 0 }, press[3] = { 1, 0, 0 }, rub[3] = { 1, R(0.3), R(-0.4) };
+    for (int q = 0; q < 4; q++) {
+        const double by = q % 2 ? 1.02 : 0.98, sign = q / 2 ? -1 : 1;
+#define WITHIN(f, alpha, moved, ...) \
+    (sp__coupled_vertex(&k, 0, f, R(alpha), (const sp_real[]){ __VA_ARGS__ }, R(moved), R(0.1)) <= 1)
+        CHECK_INT(WITHIN(press, 0, 0, R(sign * give * by), 0, 0), q % 2 == 0);
+        CHECK_INT(WITHIN(none, 0, 0, R(2 + give * by), 0, 0), q % 2 == 0);
+        CHECK_INT(WITHIN(press, 0, 10 * give / hides, R(sign * 11 * give * by), 0, 0), q % 2 == 0);
+        CHECK_INT(WITHIN(press, 0, 10 * most / hides, R(sign * (give + most) * by), 0, 0), q % 2 == 0);
+        for (int moves = 0; moves < 2; moves++) {       /* |ft| = 1/2; slip so long that it is just enough, or enough and turned */
+            const double moved = moves ? 10 * slip / blurs : 0, least = (slip + blurs * moved) / by, far = 100 * slip;
+            CHECK_INT(WITHIN(rub, 0.5 / least, moved, 0, R(-0.6 * least), R(0.8 * least)), q % 2 == 0);
+            CHECK_INT(WITHIN(rub, 0.5 / far, moved, 0, R(far * (-0.6 + 0.8 * sign * slip * by)),
+                             R(far * (0.8 + 0.6 * sign * slip * by))), q % 2 == 0);
+        }
+#undef WITHIN
+    }
+}
+
 /* At rest, without play: friction needs slip from tol sbar on, that of the block which carries less. */
 TEST(friction_at_rest_is_up_to_tol_of_the_lesser_block)
 {
@@ -769,6 +795,7 @@ TEST_LIST(corner)
     RUN_FULL(what_moves_less_than_its_share_is_held)
     RUN_FULL(ranks_of_a_proof_are_just_met_and_just_exceeded)
     RUN_FULL(each_condition_of_a_triple_is_just_met_and_just_exceeded)
+    RUN_FULL(what_a_triple_may_be_out_by_is_met_and_exceeded_in_numbers)
     RUN_FULL(friction_at_rest_is_up_to_tol_of_the_lesser_block)
     RUN_FULL(a_triple_is_as_bad_as_its_worst_corner)
     RUN_FULL(lengths_follow_the_edges_or_the_arms)

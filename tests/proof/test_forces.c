@@ -321,10 +321,10 @@ TEST(a_motion_proves_more_than_tol_or_if_final_more_than_rounding)
     CHECK_INT(sp__certify_rank(&o.j, least * more, 1), SP__WITH_LARGE);
 }
 
-/* 440 units of the last place where 448 count for nothing, as two blocks move, and 512 where a motion was read from a claim. */
+/* 447 units of the last place where 448 count for nothing, as two blocks move, and 512 where a motion was read from a claim. */
 TEST(a_corner_resists_from_what_rounding_of_both_motions_may_be)
 {
-    static const struct { int how, units[2]; } row_of[] = { { 0, { 440, 449 } }, { SP__READ, { 504, 513 } } };
+    static const struct { int how, units[2]; } row_of[] = { { 0, { 447, 449 } }, { SP__READ, { 511, 513 } } };
     one_block o;
     NEED(row(&o, 0));
     for (int k = 0; k < 4; k++) {
@@ -457,6 +457,31 @@ TEST(a_proof_holds_no_block_but_for_a_better_one)
     }
 }
 
+/* The first block moves by 1; the second by a share at which it takes ten times the work of the first; the third by a little more,
+ * and adds five times that. The best proof is to hold the second alone: it is found where the share is at most one of these. */
+TEST(smaller_motions_are_held_from_six_shares_on)
+{
+    static const double rest[] = { 0, 1e-12, 1e-9, 1e-6, 1e-3, 0.5 };
+    for (int k = 1; k < 6; k++)
+        for (int beyond = 0; beyond < 2; beyond++) {
+            const sp_arena mark = test_arena;
+            const double second = rest[k] * (beyond ? 1.01 : 0.99), third = rest[k] * 1.5;
+            one_block o;
+            sp_real dq[18];
+            int32_t final;
+            NEED(row(&o, 0));
+            first_moves(&o, dq);
+            dq[7] = R(second);
+            dq[13] = R(third);
+            o.pb.p[7] = o.j.unit * R(-10 / second);
+            o.pb.p[13] = o.j.unit * R(5 / third);
+            const sp_real value = sp__certify_mechanism(&o.j, dq, 0, &final);
+            CHECK_INT(value > 0, !beyond || k < 5);
+            CHECK_INT(o.j.dual.motion[13] > 0 && !(o.j.dual.motion[7] > 0), !beyond);
+            test_arena = mark;
+        }
+}
+
 /* Two blocks at rest, one pressed into its ground: no proof, whatever is held. */
 TEST(a_resisted_motion_among_blocks_at_rest_is_no_proof)
 {
@@ -537,6 +562,7 @@ TEST_LIST(forces)
     RUN(a_block_displaces_a_joint_by_its_longest_arm)
     RUN(of_motions_with_smaller_ones_held_the_best_is_taken)
     RUN(a_proof_holds_no_block_but_for_a_better_one)
+    RUN(smaller_motions_are_held_from_six_shares_on)
     RUN(a_resisted_motion_among_blocks_at_rest_is_no_proof)
     RUN(a_motion_without_work_is_not_final)
     RUN(a_motion_is_written_at_the_size_of_its_blocks)

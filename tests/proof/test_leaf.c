@@ -475,6 +475,47 @@ TEST(a_reach_that_is_found_in_part_counts_what_is_missing)
     CHECK(loosely > TOL(0, -1));
 }
 
+/* A block on one point that may move along x and turn about y, unlike in their weights. One step for the last row leaves
+ * (t^2 + t) / (1 + t^2) of it, t = G_xy / G_yy: a half at sqrt 2 - 1. */
+TEST(motions_are_bound_where_less_than_half_of_a_direction_is_missing)
+{
+    const sp_capacity cap = { 2, 0, 0, 0, 1, 1, 0 };
+    const sp_real ground[3] = { 0, 0, -9 }, at[3] = { 0, 0, 0 }, up[3] = { 0, 0, 1 }, point[3] = { 2, 0, 1 };
+    const sp_strength rough = sp_strength_friction(R(0.5));
+    const uint32_t held = 2 | 4 | 8 | 32;
+    for (int beyond = 0; beyond < 2; beyond++) {
+        const sp_arena mark = test_arena;
+        memset(&o, 0, sizeof o);
+        NEED(sp_scene_create(&o.scene, &cap, &test_arena) == SP_OK);
+        NEED(sp_scene_body(&o.scene, 0, ground, SP_FIXED, NULL) == SP_OK);
+        NEED(sp_scene_body(&o.scene, 1, at, held, NULL) == SP_OK);
+        NEED(sp_scene_points(&o.scene, 0, 1, up, 1, point, &rough, NULL) == SP_OK);
+        o.set.tol = R(1e-4);
+        o.set.force_bound = 100;
+        NEED(sp_problem_build(&o.scene, &test_arena, &o.pb) == SP_OK);
+        NEED(sp__certifier_open(&o.j, &o.pb, &o.set, NULL, INT32_MAX, &test_arena));
+        length.L = length.eps = 1; length.eta = 100;
+        w = sp__take(&test_arena, 1, sizeof *w);
+        NEED(w);
+        sp__refute_carve(w, 1, 1, &test_arena);
+        NEED(!sp__failed(&test_arena));
+        w->j = &o.j;
+        w->k = &length;
+        w->contact[0] = 0;
+        w->at[0] = o.pb.contact[0].point;
+        o.j.scale[0].wm = 1;                            /* t = wf wm z / (wm^2 (x^2 + z^2)) */
+        o.j.scale[0].wf = R(5 * (sqrt(2.0) - 1) * (1 + (beyond ? 1 : -1) * TOL(1e-6, 1e-2)));
+        sp_real to[6] = { 0 };
+        for (int k = 0; k < 6; k++) o.j.residual[k] = k == 0;
+        o.j.sweeps = 0;
+        sp__certifier_least_squares(&o.j, to);
+        o.j.sweeps_most = o.j.sweeps + 1 + 2;           /* what x takes, and y up to its first step */
+        o.j.sweeps = 0;
+        CHECK_INT(sp__refute_reach(w), !beyond);
+        test_arena = mark;
+    }
+}
+
 /* Blocks that touch nothing but the ground: each is bound as it would be were it there alone. */
 TEST(blocks_apart_reach_as_far_as_each_alone)
 {
@@ -772,6 +813,13 @@ TEST(a_tree_may_be_deep_but_not_without_end)
     }
 }
 
+/* A corner takes three whole numbers, two for each of 32 splits above a leaf, and ten numbers. */
+TEST(a_refutation_has_room_for_32_splits_of_every_corner)
+{
+    const size_t corner = (3 + 2 * 32) * sizeof(int32_t) + 10 * sizeof(sp_real);
+    CHECK_INT(sp__refute_need(48, 1) - sp__refute_need(16, 1), 32 * corner);
+}
+
 /* Nothing is read of a proof that is none; whole proofs take exactly what was counted. */
 TEST(what_is_no_proof_is_none)
 {
@@ -887,6 +935,7 @@ TEST_LIST(leaf)
     RUN_FULL(rounding_is_taken_off_a_margin)
     RUN_FULL(no_motion_reaches_beyond_what_its_corners_allow)
     RUN_FULL(a_reach_that_is_found_in_part_counts_what_is_missing)
+    RUN_FULL(motions_are_bound_where_less_than_half_of_a_direction_is_missing)
     RUN_FULL(blocks_apart_reach_as_far_as_each_alone)
     RUN_FULL(a_block_on_one_line_is_bound_but_for_its_spin)
     RUN_FULL(a_block_held_against_its_spin_has_none)
@@ -898,6 +947,7 @@ TEST_LIST(leaf)
     RUN_FULL(a_walk_begins_where_nothing_is_known)
     RUN_FULL(a_tree_holds_as_well_as_its_worst_leaf)
     RUN_FULL(a_tree_may_be_deep_but_not_without_end)
+    RUN_FULL(a_refutation_has_room_for_32_splits_of_every_corner)
     RUN_FULL(what_is_no_proof_is_none)
     RUN_FULL(a_block_under_a_ceiling_is_refuted_by_its_weight)
     RUN_FULL(motions_without_bound_are_not_refuted)

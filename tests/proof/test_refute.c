@@ -270,11 +270,11 @@ TEST(a_multiplier_of_0_adds_nothing)
     CHECK_NEAR(w->size, size, 0);
 }
 
-/* The last row there is, ft2 of the last vertex. */
+/* The last row there is, ft2 of the last vertex: a vertex has 24. */
 TEST(the_last_row_is_one)
 {
     NEED(begin(0, 1, 0));
-    const int32_t last = 6 * pb.blocks + 4 * SP__PROOF_ROWS;
+    const int32_t last = 6 * pb.blocks + 4 * 24;
     for (int k = 0; k < 3; k++) w->f[3][k] = 0;
     w->state[3] = 1;
     CHECK_INT(sp__refute_add(w, last, 1), 1);

@@ -252,7 +252,8 @@ TEST(a_search_for_scales_whose_products_overflow_takes_no_step)
     for (int k = 0; k < 6; k++) CHECK_NEAR(to[k], k + 1, 0);
 }
 
-/* No step lowers a residual r where |G r| <= SP__SCALE_NULL |r|; at the last, where it is 64 u times weighted loads and forces. */
+/* No step lowers a residual r where |G r| <= 1e-14 |r|, in float 3e-6; at the last, where it is 64 u times weighted loads and
+ * forces. */
 TEST(a_residual_is_the_least_up_to_its_allowance)
 {
     uint32_t draws = test_random() | 1;
@@ -286,7 +287,7 @@ TEST(a_residual_is_the_least_up_to_its_allowance)
             }
             CHECK_INT(sp__certifier_is_optimal(&o.j, 0), 0);
         } else {
-            const double c = sqrt((double)SP__SCALE_NULL * off * sqrt(rr / gg));    /* G goes with the square of its weights */
+            const double c = sqrt(TOL(1e-14, 3e-6) * off * sqrt(rr / gg));    /* G goes with the square of its weights */
             for (int i = 0; i < 4; i++) {
                 sp__scale *s = &o.j.scale[i];
                 s->wf *= R(c); s->wm *= R(c);

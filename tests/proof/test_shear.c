@@ -374,18 +374,19 @@ TEST(where_nothing_presses_there_is_no_friction)
     for (int k = 0; k < 3; k++) CHECK(w->pair[0].g[k] == 0);
 }
 
-/* SP__SHEAR_FLAT of an arm of 8 m counts, a few units in the last place more do not; nor turned by so much. */
+/* 1e-9 of an arm of 8 m, in float 1e-4, counts, a few units in the last place more do not; nor turned by so much. */
 TEST(joints_of_a_pair_are_in_one_plane_to_the_last_digits)
 {
     for (int beyond = 0; beyond < 2; beyond++) {
         const sp_arena mark = test_arena;
         NEED(on_two());
+        const sp_real flat = R(TOL(1e-9, 1e-4));
         j.scale[0].arm = 8;
         CHECK(sp__shear_flat(w, 1, 0, -1) && !sp__shear_flat(w, 1, 0, 1));
-        scene.point[4][0] = 8 * SP__SHEAR_FLAT * (beyond ? 1 + 8 * SP_EPSILON : 1);
+        scene.point[4][0] = 8 * flat * (beyond ? 1 + 8 * SP_EPSILON : 1);
         CHECK_INT(sp__shear_flat(w, 1, 0, -1), !beyond);
         scene.point[4][0] = 0;
-        scene.joint[1].n[1] = SP__SHEAR_FLAT * (beyond ? 1 + 8 * SP_EPSILON : 1);
+        scene.joint[1].n[1] = flat * (beyond ? 1 + 8 * SP_EPSILON : 1);
         CHECK_INT(sp__shear_flat(w, 1, 0, -1), !beyond);
         test_arena = mark;
     }
@@ -441,6 +442,18 @@ TEST(the_power_of_a_sheared_block_is_one_less_half_of_what_friction_leans)
         CHECK_INT(sp__shear_positive(w), round % 2 == 0);
         test_arena = mark;
     }
+}
+
+/* u = a but for one number on the diagonal: what it has beyond .01 is more than rounding from 1e-9 on, in float 1e-3. */
+TEST(a_power_within_rounding_of_a_hundredth_of_the_energy_is_none)
+{
+    NEED(begin(TREE));
+    for (int r = 0; r < ROWS; r++)
+        for (int beyond = 0; beyond < 2; beyond++) {
+            for (int k = 0; k < ROWS * ROWS; k++) w->u[k] = k % (ROWS + 1) == 0;
+            w->u[r * (ROWS + 1)] = R(0.01 + TOL(1e-9, 1e-3) * (beyond ? 1.01 : 0.99));
+            CHECK_INT(sp__shear_positive(w), beyond);
+        }
 }
 
 /* As of bodies turned against their axes. */
@@ -716,6 +729,7 @@ TEST_LIST(shear)
     RUN(even_friction_is_within_mu_times_its_factor_to_the_last_digits)
     RUN(friction_of_a_pair_is_in_the_plane_of_its_first_joint)
     RUN(the_power_of_a_sheared_block_is_one_less_half_of_what_friction_leans)
+    RUN(a_power_within_rounding_of_a_hundredth_of_the_energy_is_none)
     RUN(moments_of_inertia_may_have_products)
     RUN(what_even_friction_leaves_counts_by_the_work_it_may_do)
     RUN(what_is_factored_is_the_power_less_a_hundredth_of_the_energy)

@@ -459,6 +459,13 @@ TEST(each_case_of_a_still_proof_has_its_own_rows)
     }
 }
 
+/* A corner takes three whole numbers, two for each of 16 splits above a leaf, and seven numbers. */
+TEST(a_still_proof_has_room_for_16_splits_of_every_corner)
+{
+    const size_t corner = (3 + 2 * 16) * sizeof(int32_t) + 7 * sizeof(sp_real);
+    CHECK_INT(sp__still_need(48, 1) - sp__still_need(16, 1), 32 * corner);
+}
+
 TEST(what_is_no_still_proof_is_none)
 {
     NEED(begin());
@@ -594,6 +601,7 @@ TEST_LIST(still)
     RUN(every_case_of_a_still_proof_is_closed_once_and_in_order)
     RUN(a_still_proof_that_is_cut_off_is_not_read_on)
     RUN(each_case_of_a_still_proof_has_its_own_rows)
+    RUN(a_still_proof_has_room_for_16_splits_of_every_corner)
     RUN(what_is_no_still_proof_is_none)
     RUN(a_still_proof_may_be_deep_but_not_without_end)
     RUN(a_still_proof_of_too_much_is_none)

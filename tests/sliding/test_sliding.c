@@ -255,6 +255,25 @@ TEST(loads_along_every_motion_do_all_the_work_there_is)
     CHECK(fabs((double)e.share - 1) < 1e-6);
 }
 
+/* A cube that slides along x and is held along y, where live loads push it too, and hold nothing up: they do little of the work
+ * that they could do, but push from a thousandth of it on. */
+TEST(loads_push_a_slide_from_a_thousandth_of_their_work_on)
+{
+    for (int less = 0; less < 2; less++) {
+        sp_sliding_evidence e;
+        sp_scene s = pushed("two-cubes", "offset", 0, 1, 0);
+        s.joint[0].strength.mu = R(0.5);
+        const sp_sliding_result r = slide(&s, &one_start);
+        CHECK_INT(r.kind, SP_SLIDING_STATE);
+        const double share = 1e-3 * (less ? 0.99 : 1.01);
+        s.block[1].fixed = 2u;
+        s.body[1] = R(9.80665 * sqrt(1 / (share * share) - 1));
+        CHECK_INT(sp_sliding_verify(&s, NULL, &r, test_arena, &e), SP_OK);
+        CHECK_NEAR(e.share, share, TOL(1e-6, 1e-3));
+        CHECK_INT(e.state, !less);
+    }
+}
+
 TEST(scenes_that_are_not_planar_keep_the_associative_value)
 {
     sp_scene s = pushed("two-cubes", "offset", 0.1, 1, 0);
@@ -450,6 +469,7 @@ TEST_LIST(sliding)
     RUN(lower_was_0_or_18_by_the_order_of_blocks_where_pressure_carries_any_multiple)
     RUN(a_state_that_is_changed_proves_nothing)
     RUN(loads_along_every_motion_do_all_the_work_there_is)
+    RUN(loads_push_a_slide_from_a_thousandth_of_their_work_on)
     RUN(scenes_that_are_not_planar_keep_the_associative_value)
     RUN(loads_that_lie_in_a_plane_only_together_are_not_planar)
     RUN(strength_of_joints_is_not_asked)
