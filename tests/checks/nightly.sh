@@ -106,6 +106,8 @@ if have python3 && have tcc; then
     # shellcheck disable=SC2086
     {
         line "300 mutants of the certificate check" $mutants --of proof --sample 300 --hashes --least 99
+        line "constants of the certificate check in another size" $mutants --of proof --constants --least 100
+        line "constants of the certificate check in another size, in float" $mutants --of proof --constants --float --least 100
         line "100 mutants of verify" $mutants --of verify --sample 100 --hashes --least 97
         line "200 mutants of limit" $mutants --of limit --sample 200 --hashes --least 85
         line "100 mutants of the core" $mutants --of core --guided --longest 400 --sample 100 --hashes --least 88

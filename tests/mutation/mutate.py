@@ -44,6 +44,8 @@ SETS = {
 # Suites by what is changed, quick ones first.
 JUDGES = ['moving', 'scale', 'search', 'forces', 'spin', 'leaf', 'corner', 'refute', 'still', 'shear', 'triple', 'verify', 'claims',
           'strong', 'shapes', 'spared', 'attack', 'exact', 'coupled', 'strength', 'closed', 'sliding']
+INSIDE = ['moving', 'scale', 'search', 'forces', 'spin', 'leaf', 'corner', 'refute', 'still', 'shear', 'triple', 'sliding',
+          'coupled']                                    # of proof in float, where some of the others take minutes
 VERIFIES = ['hint', 'verify', 'islands', 'claims', 'arguments', 'exact', 'memory', 'capacity', 'holds',
             'strong']                                       # of verify alone
 LIMITS = ['asked', 'ask', 'ends', 'start', 'embed', 'climb', 'moves', 'count', 'limit', 'arguments', 'bracket', 'spent', 'effort',
@@ -496,9 +498,9 @@ def main():
     compiler = ['tcc', *FLAGS[3:]] if shutil.which('tcc') else [os.environ.get('CC', 'gcc'), *FLAGS[1:], '-O0']
     core = [re.sub(r'.*/test_(\w+)\.c', r'\1', p) for p in glob('tests/*/test_*.c') if p.split('/')[1] not in NOT_CORE]
     small = open('tests/small/suites.txt').read().split()
-    those = {'limit': LIMITS, 'verify': VERIFIES, 'small': small, 'core': core}.get(' '.join(args.of), JUDGES)
+    those = {'limit': LIMITS, 'verify': VERIFIES, 'small': small, 'core': core}.get(' '.join(args.of), INSIDE if args.float else JUDGES)
     longest = (args.longest or QUICK) if those is core else 0
-    suites = Suites(args.suites or those, 'build/mutation/suites', compiler, longest, args.longest or SLOW)
+    suites = Suites(args.suites or those, 'build/mutation/suites' + ''.join(FLAGS[3:]), compiler, longest, args.longest or SLOW)
     rooms = [Room(k, suites) for k in range(args.jobs)]
     counts = suites.split(rooms[0].build(None)[0]())
     noticed = rooms[0].ask(rooms[0].build(None))

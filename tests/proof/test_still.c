@@ -459,6 +459,18 @@ TEST(each_case_of_a_still_proof_has_its_own_rows)
     }
 }
 
+/* The last row there is, ft2 of the last corner, which is open: a corner has 22. */
+TEST(the_last_row_of_a_still_proof_is_one)
+{
+    NEED(begin());
+    const int32_t last = LEAF_N + 22 * LEAF_POINTS;
+    clear();
+    w->state[LEAF_POINTS - 1] = 1;
+    CHECK_INT(sp__still_add(w, last, 1), 1);
+    CHECK_NEAR(w->f[LEAF_POINTS - 1][2], 1, 0);
+    CHECK_INT(sp__still_add(w, last + 1, 1), 0);
+}
+
 /* A corner takes three whole numbers, two for each of 16 splits above a leaf, and seven numbers. */
 TEST(a_still_proof_has_room_for_16_splits_of_every_corner)
 {
@@ -601,6 +613,7 @@ TEST_LIST(still)
     RUN(every_case_of_a_still_proof_is_closed_once_and_in_order)
     RUN(a_still_proof_that_is_cut_off_is_not_read_on)
     RUN(each_case_of_a_still_proof_has_its_own_rows)
+    RUN(the_last_row_of_a_still_proof_is_one)
     RUN(a_still_proof_has_room_for_16_splits_of_every_corner)
     RUN(what_is_no_still_proof_is_none)
     RUN(a_still_proof_may_be_deep_but_not_without_end)
