@@ -475,6 +475,24 @@ TEST(a_reach_that_is_found_in_part_counts_what_is_missing)
     CHECK(loosely > TOL(0, -1));
 }
 
+/* A refutation w of the scene in o, blocks of as many corners each.     returns 0: the test is over */
+static int refutation_of(int32_t blocks, int32_t corners)
+{
+    o.set.tol = R(1e-4);
+    o.set.force_bound = 100;
+    if (!CHECK_INT(sp_problem_build(&o.scene, &test_arena, &o.pb), SP_OK)) return 0;
+    if (!CHECK(sp__certifier_open(&o.j, &o.pb, &o.set, NULL, INT32_MAX, &test_arena))) return 0;
+    length.L = length.eps = 1; length.eta = 100;
+    w = sp__take(&test_arena, 1, sizeof *w);
+    if (!CHECK(w)) return 0;
+    sp__refute_carve(w, blocks * corners, blocks, &test_arena);
+    if (!CHECK(!sp__failed(&test_arena))) return 0;
+    w->j = &o.j;
+    w->k = &length;
+    for (int32_t v = 0; v < blocks * corners; v++) { w->contact[v] = v / corners; w->at[v] = v; }
+    return 1;
+}
+
 /* A block on one point that may move along x and turn about y, unlike in their weights. One step for the last row leaves
  * (t^2 + t) / (1 + t^2) of it, t = G_xy / G_yy: a half at sqrt 2 - 1. */
 TEST(motions_are_bound_where_less_than_half_of_a_direction_is_missing)
@@ -490,19 +508,7 @@ TEST(motions_are_bound_where_less_than_half_of_a_direction_is_missing)
         NEED(sp_scene_body(&o.scene, 0, ground, SP_FIXED, NULL) == SP_OK);
         NEED(sp_scene_body(&o.scene, 1, at, held, NULL) == SP_OK);
         NEED(sp_scene_points(&o.scene, 0, 1, up, 1, point, &rough, NULL) == SP_OK);
-        o.set.tol = R(1e-4);
-        o.set.force_bound = 100;
-        NEED(sp_problem_build(&o.scene, &test_arena, &o.pb) == SP_OK);
-        NEED(sp__certifier_open(&o.j, &o.pb, &o.set, NULL, INT32_MAX, &test_arena));
-        length.L = length.eps = 1; length.eta = 100;
-        w = sp__take(&test_arena, 1, sizeof *w);
-        NEED(w);
-        sp__refute_carve(w, 1, 1, &test_arena);
-        NEED(!sp__failed(&test_arena));
-        w->j = &o.j;
-        w->k = &length;
-        w->contact[0] = 0;
-        w->at[0] = o.pb.contact[0].point;
+        NEED(refutation_of(1, 1));
         o.j.scale[0].wm = 1;                            /* t = wf wm z / (wm^2 (x^2 + z^2)) */
         o.j.scale[0].wf = R(5 * (sqrt(2.0) - 1) * (1 + (beyond ? 1 : -1) * TOL(1e-6, 1e-2)));
         sp_real to[6] = { 0 };
@@ -536,18 +542,7 @@ TEST(blocks_apart_reach_as_far_as_each_alone)
             NEED(sp_scene_body(&o.scene, 1, at, 0, NULL) == SP_OK);
             NEED(sp_scene_joint(&o.scene, 0, b + 1, 4, foot, &rough, NULL) == SP_OK);
         }
-        o.set.tol = R(1e-4);
-        o.set.force_bound = 100;
-        NEED(sp_problem_build(&o.scene, &test_arena, &o.pb) == SP_OK);
-        NEED(sp__certifier_open(&o.j, &o.pb, &o.set, NULL, INT32_MAX, &test_arena));
-        length.L = length.eps = 1; length.eta = 100;
-        w = sp__take(&test_arena, 1, sizeof *w);
-        NEED(w);
-        sp__refute_carve(w, 4 * blocks, blocks, &test_arena);
-        NEED(!sp__failed(&test_arena));
-        w->j = &o.j;
-        w->k = &length;
-        for (int32_t v = 0; v < 4 * blocks; v++) { w->contact[v] = v / 4; w->at[v] = v; }
+        NEED(refutation_of(blocks, 4));
         NEED(sp__refute_reach(w));
         for (int r = 0; r < 6 * blocks; r++) {
             if (part < APART) alone[6 * from + r] = (double)w->reach[r];
