@@ -113,11 +113,11 @@ TEST(a_search_for_scales_ends_where_it_stalls_and_has_lost_nothing)
     CHECK(goes_on > 0 && (stalls > 1 || TOL(0, 1)));
 }
 
-/* It ends at the first residual r that is SP__SCALE_TOL of where it began, or that nothing lowers: |G r| <= SP__SCALE_NULL |r|.
+/* It ends at the first residual r that is 1e-9 of where it began, or that nothing lowers: |G r| <= 1e-14 |r|; in float 1e-4, 3e-6.
  * Neither knows units. */
 TEST(a_search_for_scales_ends_as_soon_as_its_residual_is_small_or_least)
 {
-    const sp_real solved = SP__SCALE_TOL * SP__SCALE_TOL, null = SP__SCALE_NULL * SP__SCALE_NULL;
+    const sp_real solved = R(TOL(1e-9, 1e-4)) * R(TOL(1e-9, 1e-4)), null = R(TOL(1e-14, 3e-6)) * R(TOL(1e-14, 3e-6));
     uint32_t draws = 20261127;
     int small = 0, least = 0;
     for (int k = 0; k < 60; k++) {
