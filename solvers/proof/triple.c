@@ -10,7 +10,7 @@
 
 /* Largest tol of a coupled check: by so much a triple may miss balance, so a coarse one would certify what lies beyond its
  * limit, and no proof would reach as far. */
-#define SP__COUPLED_TOL ((sp_real)(sizeof(sp_real) == 8 ? 1e-6 : 1e-4))
+#define SP__COUPLED_TOL ((sp_real)(sizeof(sp_real) >= 8 ? 1e-6 : 1e-4))
 
 #if SP__WITH_COUPLED
 
