@@ -168,7 +168,8 @@ SP__NOINLINE static void sp__exact_answer(sp__system *w, const sp__newton *n, sp
     w->budget.spent = 0;
     if (!n->found && n->best < SP__HUGE) sp__system_forces(w, SP__ADMISSIBLE, state->y, state);
     w->budget.spent = spent;
-    if (n->proved && state->brief != SP__BRIEF_FORCES) sp__newton_sharpen_proof(w, n->proved == SP__PROVED_NEARER ? 1 : 2, state);
+    if (n->proved && state->brief != SP__BRIEF_FORCES)
+        sp__newton_sharpen_proof(w, n->proved == SP__PROVED_NEARER ? 1 : 2, state);
     for (size_t k = 0; k < 6 * (size_t)w->pb->blocks && !n->proved; k++)
         state->dq[k] = -w->measure.weight[k / 3] * (spent ? state->y[k] : w->y[k]);
     sp__reduction_to_space(w, state->dq);
