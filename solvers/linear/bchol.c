@@ -188,19 +188,25 @@ static void sp__bchol_right(sp__low *x, const sp__low *l)
     sp__bchol_flush(x);
 }
 
-/* C <- C - sum of A B' over `wide` columns, A at a[m] + at, B at b[m] as sp__bchol_spread makes it; all 6 x 6 by columns.
- * Written out because compilers at -O2 do not unroll it. */
+/* B for many an update: in mixed each number six times, in room, so that compilers take four floats of C at a time, of two
+ * columns three times four; else b itself. */
 #ifdef SP_REAL_MIXED
-#define SP__SPREAD 216                  /* numbers of a block that is spread; with one for each column at hand, 7 kB of stack */
+#define SP__SPREAD 216                  /* numbers in room; with one for each column at hand, 7 kB of stack */
 
-/* Each number of b six times, so that compilers take four floats of C at a time, two columns by three fours. */
 SP__NOINLINE static const sp__low *sp__bchol_spread(const sp__low *b, sp__low *room)
 {
     sp__low *e = room;
     for (int k = 0; k < 36; k++, e += 6) e[0] = e[1] = e[2] = e[3] = e[4] = e[5] = b[k];
     return room;
 }
+#else
+#define SP__SPREAD 1
+static const sp__low *sp__bchol_spread(const sp__low *b, sp__low *room) { (void)room; return b; }
+#endif
 
+/* C <- C - sum of A B' over `wide` columns, A at a[m] + at, B at b[m] as sp__bchol_spread makes it; all 6 x 6 by columns.
+ * Written out because compilers at -O2 do not unroll it. */
+#ifdef SP_REAL_MIXED
 static void sp__bchol_update(sp__low *c, int wide, const sp__low *const *a, const sp__low *const *b, size_t at)
 {
     for (int q = 0; q < 36; q += 12, c += 12) {
@@ -221,9 +227,6 @@ static void sp__bchol_update(sp__low *c, int wide, const sp__low *const *a, cons
     }
 }
 #else
-#define SP__SPREAD 1
-static const sp__low *sp__bchol_spread(const sp__low *b, sp__low *room) { (void)room; return b; }
-
 static void sp__bchol_update(sp__low *c, int wide, const sp__low *const *a, const sp__low *const *b, size_t at)
 {
     for (int q = 0; q < 6; q++, c += 6) {
@@ -351,7 +354,7 @@ static void sp__supernode_beyond(void *job, int32_t t)
         for (int m = 0; m < s->wide; m++) {
             const sp__low *at = x[m] + 36 * (size_t)c;
             sp__bchol_square(f->d + 21 * (size_t)row[c], at);
-            b[m] = c + 1 < s->below ? sp__bchol_spread(at, room[m]) : at;
+            b[m] = c + 1 < s->below ? sp__bchol_spread(at, room[m]) : at;       /* the last row updates none */
         }
         for (int32_t r = c + 1; r < s->below; r++) {
             while (f->i[to] < row[r]) to++;

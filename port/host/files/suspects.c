@@ -12,7 +12,6 @@
 #define LIGHTEST  5.0                   /* [kg/m^3] foams begin at some 10: g/cm^3 are below */
 #define ROUGHEST  5.0                   /* friction that no stones have, */
 #define STEEPEST  90.0                  /* but that an angle in degrees may be; beyond it nothing is meant to slide */
-#define DEGREE    (3.14159265358979323846 / 180)
 #define LEVEL     0.1                   /* a normal with a smaller part of itself along gravity carries little by pressure */
 #define WEDGED    0.01                  /* but stones of a flat arch rest on each other by as little */
 #define SOME      0.1                   /* share of all area */
@@ -94,7 +93,7 @@ static void suspect_friction(const sp_scene *s, const char *const *name, remarks
         const double mu = (double)t->strength.mu;
         char option[32];
         if (!(mu > ROUGHEST && mu < STEEPEST)) continue;
-        snprintf(option, sizeof option, "--mu %.3g", tan(mu * DEGREE));
+        snprintf(option, sizeof option, "--mu %.3g", tan(mu * acos(-1.0) / 180));
         remarks_add(r, option, "the friction of '%.60s' and '%.60s' is %.3g, more than of any stones; it is the tangent of an "
                     "angle", name[t->a], name[t->b], mu);
         return;
