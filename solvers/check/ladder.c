@@ -217,6 +217,7 @@ SP__NOINLINE static sp_status sp__run_stage(const sp_problem *pb, const sp_setti
         r->verified = *done;
         r->stage = *done ? set->stage[k] : SP_STAGE_NONE;
         r->reason = sp__check_reason(set->stage[k], claim, r, state->reason);
+        if (claim == SP_STABLE && !*done && set->budget > 0) r->reason = SP_REASON_BUDGET;     /* scales have few sweeps */
         if (claim == SP_UNSTABLE && !*done && set->effect[SP_EFFECT_FRICTION] == SP_WITHOUT) {
             r->reason = SP_REASON_EFFECT;
             r->missing = SP_EFFECT_FRICTION;
