@@ -205,11 +205,11 @@ static void between(const double size[4], sp_scene *s)
 }
 
 /* Between two refreshes of its basis the linear program once closed cases by multipliers of 1e9, which were rounding: the tree
- * was complete, and the certificate check refused it. */
+ * was complete, and the certificate check refused it. Float proves none of these, and then goes through all reflections. */
 TEST(the_cases_of_a_squeezed_block_are_closed_by_multipliers_that_prove_it)
 {
     static const double w[] = { 0.9, 1, 1.1, 1.3 }, h[] = { 0.3, 1, 1.2, 1.5 }, d[] = { 0.3, 0.5, 0.8 }, part[] = { 0.9, 0.99 };
-    for (int k = 0; k < 96; k++) {
+    for (int k = 0; k < 96; k += SOME_OF(1, TOL(1, 11))) {
         const double size[] = { w[k % 4], h[k / 4 % 4], d[k / 16 % 3], part[k / 48] };
         sp_settings set = coupled(100, 0);
         sp_scene s;
