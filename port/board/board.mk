@@ -153,8 +153,8 @@ compiler:
 	@echo $(CC)
 .SECONDARY:
 
-# 4 MB of flash hold all tests at -Os, without optimisation they do not.
-$(out)/tests/%.o: OPT = $(if $(bare),-Os -Wno-maybe-uninitialized,-O0)
+# 4 MB of flash hold all tests at -Og, without optimisation they do not.
+$(out)/tests/%.o: OPT = $(if $(bare),-Og -Wno-maybe-uninitialized,-O0)
 $(out)/%.o: %.c
 	@mkdir -p $(@D)
 	@$(CC) $(flags) -c $< -o $@
