@@ -3,7 +3,7 @@
 #
 #     sh tests/fuzz/fuzz.sh [TARGET...]         libFuzzer with ASan and clang's UBSan, FUZZ_SECONDS (30) of clock each, then
 #                                               with MSan: those that ask the library alone as long again, readers a fifth of
-#                                               their time; without clang as --quick
+#                                               their time; without clang as --quick. FUZZ_HOW=sanitized: not with MSan
 #     sh tests/fuzz/fuzz.sh --quick [TARGET...] a plain loop (loop.c): all targets with gcc's ASan and UBSan, then those that
 #                                               ask the library alone, optimised; FUZZ_SECONDS (4) of processor each, 20,000
 #                                               scenes; inputs that campaigns have kept, once each; AFL++, AFL_SECONDS (3) each
@@ -148,8 +148,8 @@ for t in $targets; do seeds "$t"; done
 if [ -z "$quick" ] && command -v clang > /dev/null; then
     all=
     for t in $targets; do all="$all $t-sanitized"; done
-    for t in $targets; do ! alone "$t" || all="$all $t-forgotten"; done
-    for t in $targets; do alone "$t" || all="$all $t-forgotten"; done
+    for t in $targets; do [ "${FUZZ_HOW:-}" ] || ! alone "$t" || all="$all $t-forgotten"; done
+    for t in $targets; do [ "${FUZZ_HOW:-}" ] || alone "$t" || all="$all $t-forgotten"; done
     for t in $targets; do unpack "$t"; mkdir -p "$out/corpus/$t"; done
     # shellcheck disable=SC2086
     libraries $all
