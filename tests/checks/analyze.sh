@@ -1,7 +1,7 @@
 #!/bin/sh
 # analyze: what compilers and their like find by reading alone. Status 1 where they tell what is not listed.
 #
-#     analyze.sh gcc [FLAGS]...     gcc -fanalyzer, once for each; '' is the whole library, which takes an hour. What it says
+#     analyze.sh gcc [FLAGS]...     gcc -fanalyzer, once for each; '' is the whole library: more than half an hour. What it says
 #                                   and is wrong about is in analyzer.txt; the last line tells how many files were read and what
 #                                   was said
 #     analyze.sh gcc-program        gcc -fanalyzer over the program (port/host), which reads what may be hostile, file by file
