@@ -141,6 +141,7 @@ check_switches() {
     done
     count "tests, SP_SMALL, float" tests_without "$(cat tests/small/suites.txt)" -DSP_SMALL -DSP_REAL_FLOAT
     # In double the quick ones, by night all; in float those near what is left out.
+    count "tests, SP_REAL_MIXED" tests_of "$deep" stonepack.c -O1 "$CC" -DSP_REAL_MIXED
     count "tests, SP_NO_QP" tests_without "$no_qp" -DSP_NO_QP
     count "tests, SP_NO_QP, float" tests_without "admm stages custom fence alternation ${EVERY:+coupled}" -DSP_NO_QP -DSP_REAL_FLOAT
     count "tests, SP_NO_IPM" tests_without "$no_ipm" -DSP_NO_IPM
@@ -491,12 +492,9 @@ check_python() {
 # ----------------------------------------------------------------------------------------------------------- sanitizers
 san='-g -fsanitize=address,undefined -fno-sanitize-recover=all'
 # By clang: it looks at pointers, too, where gcc takes an offset for signed.
-# What searches for seconds does so by night; scenes and any bytes ask the same code here.
+# What searches for seconds does so by night, and all of them in float; scenes and any bytes ask the same code here.
 # shellcheck disable=SC2086
 sanitized() { tests_of "$(echo "$all" | tr ' ' '\n' | grep -vxE 'bracket|coupled|exact|spared' | tr '\n' ' ')" stonepack.c -O1 "$(quickest)" $san; }
-# In float what is near the numbers; by night all.
-# shellcheck disable=SC2086
-sanitized_float() { tests_of "$numbers" stonepack.c -O1 "$(quickest)" $san -DSP_REAL_FLOAT; }
 undefined_scenes() {                                    # after sanitized: by its library
     # shellcheck disable=SC2086
     clang $plain -w -O0 $san port/host/main.c $host_c $out/library.o -lm -o $out/stonepack_ub || return 1
@@ -546,7 +544,6 @@ threads() {
 check_sanitizers() {
     count "tests under ASan and UBSan" sanitized
     if have clang; then part "bundled scenes under ASan and clang's UBSan" undefined_scenes; fi
-    count "tests under ASan and UBSan, float" sanitized_float
     count "bad scenes under ASan and UBSan" bad_sanitized
     if have python3; then
         count "models in other forms under ASan and UBSan" python3 -B tests/checks/formats.py $out/stonepack_san
@@ -744,7 +741,6 @@ check_oracle() {
         skip "random scenes against linear programming" "python3-numpy python3-scipy"
     fi
 }
-mixed_tests() { tests_of "$core" stonepack.c -O1 "$CC" -DSP_REAL_MIXED; }
 # What was wrong in quad alone.
 quad_tests() {
     # shellcheck disable=SC2086
@@ -756,7 +752,6 @@ check_instruments() {                                   # the battery of hard sc
     for in_name in float mixed rounding traps flush near; do
         part "battery: $in_name" sh tests/instruments/instruments.sh $in_name
     done
-    count "tests, factors in float" mixed_tests
     count "tests, quad" quad_tests
     SHOW=1
     part "battery: quad; each scene's omega, growth of rounding, time" sh tests/instruments/instruments.sh quad
