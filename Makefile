@@ -83,7 +83,7 @@ help:
 	@echo "make shared    the same as a shared library, build/libstonepack.so.VERSION; make install-shared puts it into PREFIX/lib"
 	@echo "make python    a wheel for Python over it, build/stonepack-VERSION-....whl, and build/python to be used as it is"
 	@echo "make demo      checks some scenes, draws them into build/demo/, a page of them: index.html"
-	@echo "make test      tests within a minute; needs gcc and make only. LONG=1: all samples of every claim, not a few"
+	@echo "make test      tests in some minutes; needs gcc and make only. LONG=1: all samples of every claim, not a few"
 	@echo "make test ONLY=proof   one wing of tests/; ONLY=refute one suite; then build/run_of_refute FILTER one test, -l names them"
 	@echo "make check     everything else this machine can test, and what it lacks (STRICT=1: nothing may lack); ONLY=pair one group"
 	@echo "make fuzz      any bytes into every reader and question, FUZZ_SECONDS (30) each; tests/fuzz/fuzz.sh TARGET one of them"
