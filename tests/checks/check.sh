@@ -34,8 +34,6 @@ quick=$(echo "$core" | grep -vxE "$slow|settle")        # a third of the time of
 wings() { for wi in "$@"; do ls tests/"$wi"/test_*.c; done | sed 's|.*/test_\(.*\)\.c|\1|'; }        # wings FOLDER...: their suites
 apart='base geometry cone linear proof contacts scene'  # these stand by themselves, whatever is left out of the rest
 # shellcheck disable=SC2086
-numbers=$(wings $apart statics | grep -vxE "$slow")
-# shellcheck disable=SC2086
 if [ "${EVERY:-}" ]; then wide=$core deep=$core some=1
 else wide=$(echo "$quick" | grep -vxF "$(wings $apart)") deep=$quick some=10; fi
 stems() { for st in "$@"; do printf 'X(%s) ' "$st"; done; }
@@ -212,7 +210,7 @@ symbols_small() {                                       # at -O0 and -O2 warn lo
 }
 freestanding() {
     # shellcheck disable=SC2086
-    $CC -std=c99 -ffreestanding -ffp-contract=off -O0 -DSP_SQRT=__builtin_sqrt -c stonepack.c -o $out/free.o &&
+    $CC -std=c99 -ffreestanding -ffp-contract=off -O1 -DSP_SQRT=__builtin_sqrt -c stonepack.c -o $out/free.o &&
     symbols $out/free.o ''
 }
 # gcc's own record of calls: no function reaches itself.
@@ -493,8 +491,11 @@ check_python() {
 san='-g -fsanitize=address,undefined -fno-sanitize-recover=all'
 # By clang: it looks at pointers, too, where gcc takes an offset for signed.
 # What searches for seconds does so by night, and all of them in float; scenes and any bytes ask the same code here.
-# shellcheck disable=SC2086
-sanitized() { tests_of "$(echo "$all" | tr ' ' '\n' | grep -vxE 'bracket|coupled|exact|spared' | tr '\n' ' ')" stonepack.c -O1 "$(quickest)" $san; }
+sanitized() {
+    sa_suites=$(echo "$all" | tr ' ' '\n' | grep -vxE 'bracket|coupled|exact|spared')
+    # shellcheck disable=SC2086
+    tests_of "$sa_suites" stonepack.c -O1 "$(quickest)" $san
+}
 undefined_scenes() {                                    # after sanitized: by its library
     # shellcheck disable=SC2086
     clang $plain -w -O0 $san port/host/main.c $host_c $out/library.o -lm -o $out/stonepack_ub || return 1
@@ -548,6 +549,7 @@ check_sanitizers() {
     if have python3; then
         count "models in other forms under ASan and UBSan" python3 -B tests/checks/formats.py $out/stonepack_san
         count "bad models in other forms under ASan and UBSan" python3 -B tests/checks/bad_formats.py $out/stonepack_san
+        count "a newcomer's export under ASan and UBSan" python3 -B tests/checks/newcomer.py $out/stonepack_san
     else
         skip "models in other forms under ASan and UBSan" python3
     fi
@@ -826,7 +828,7 @@ mingw=x86_64-w64-mingw32-gcc
 wine=$(command -v wine64 || command -v wine || { [ ! -x /usr/lib/wine/wine64 ] || echo /usr/lib/wine/wine64; }) || :
 exe() { "$wine" "$out/stonepack.exe" "$@"; }
 windows_runs() {
-    tests_windows="$numbers csv_out obj picture tilt"
+    tests_windows="$quick csv_out obj picture tilt"
     # shellcheck disable=SC2086,SC2046
     $mingw $plain -w -O1 -c stonepack.c -o $out/library.o &&
     $mingw $plain -w -O0 port/host/main.c $host_c $out/library.o -lm -o $out/stonepack.exe &&

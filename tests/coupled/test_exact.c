@@ -205,7 +205,7 @@ static void between(const double size[4], sp_scene *s)
 }
 
 /* Between two refreshes of its basis the linear program once closed cases by multipliers of 1e9, which were rounding: the tree
- * was complete, and the certificate check refused it. Float proves none of these, and then goes through all reflections. */
+ * was complete, and the certificate check refused it. Float proves few of these, and then goes through all reflections. */
 TEST(the_cases_of_a_squeezed_block_are_closed_by_multipliers_that_prove_it)
 {
     static const double w[] = { 0.9, 1, 1.1, 1.3 }, h[] = { 0.3, 1, 1.2, 1.5 }, d[] = { 0.3, 0.5, 0.8 }, part[] = { 0.9, 0.99 };

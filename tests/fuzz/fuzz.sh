@@ -3,7 +3,8 @@
 #
 #     sh tests/fuzz/fuzz.sh [TARGET...]         libFuzzer with ASan and clang's UBSan, FUZZ_SECONDS (30) of clock each, then
 #                                               with MSan: those that ask the library alone as long again, readers a fifth of
-#                                               their time; without clang as --quick. FUZZ_HOW=sanitized: not with MSan
+#                                               their time; without clang as --quick. FUZZ_HOW=sanitized or
+#                                               forgotten: with one of these alone, all the time each
 #     sh tests/fuzz/fuzz.sh --quick [TARGET...] a plain loop (loop.c): all targets with gcc's ASan and UBSan, then those that
 #                                               ask the library alone, optimised; FUZZ_SECONDS (4) of processor each, 20,000
 #                                               scenes; inputs that campaigns have kept, once each; AFL++, AFL_SECONDS (3) each
@@ -101,7 +102,7 @@ found() {                                               # found FOLDER WHAT: cou
 by_libfuzzer() {                                        # by_libfuzzer TARGET HOW: its end into TARGET-HOW.status
     by_status=0 by_seconds=${seconds:-30}
     by_share=$(((by_seconds + 4) / 5))
-    alone "$1" || case $2 in forgotten) by_seconds=$by_share ;; *) by_seconds=$((by_seconds - by_share)) ;; esac
+    alone "$1" || [ "${FUZZ_HOW:-}" ] || case $2 in forgotten) by_seconds=$by_share ;; *) by_seconds=$((by_seconds - by_share)) ;; esac
     [ $by_seconds -gt 0 ] || by_seconds=1               # libFuzzer takes 0 for ever
     FUZZ_SOME=1 "$out/$2-$1" -max_total_time="$by_seconds" -timeout=60 -entropic=0 -seed="$seed" -rss_limit_mb=3000 \
         -max_len=4000 -artifact_prefix="$out/$1-" -print_final_stats=1 "$out/corpus/$1" "$out/seeds/$1" "$out/kept/$1" \
@@ -147,9 +148,11 @@ afl() {
 for t in $targets; do seeds "$t"; done
 if [ -z "$quick" ] && command -v clang > /dev/null; then
     all=
-    for t in $targets; do all="$all $t-sanitized"; done
-    for t in $targets; do [ "${FUZZ_HOW:-}" ] || ! alone "$t" || all="$all $t-forgotten"; done
-    for t in $targets; do [ "${FUZZ_HOW:-}" ] || alone "$t" || all="$all $t-forgotten"; done
+    for t in $targets; do all="$all $t-${FUZZ_HOW:-sanitized}"; done
+    if [ -z "${FUZZ_HOW:-}" ]; then
+        for t in $targets; do ! alone "$t" || all="$all $t-forgotten"; done
+        for t in $targets; do alone "$t" || all="$all $t-forgotten"; done
+    fi
     for t in $targets; do unpack "$t"; mkdir -p "$out/corpus/$t"; done
     # shellcheck disable=SC2086
     libraries $all
